@@ -3,8 +3,7 @@
 The regressor of the adaptive law uses these positions, so that lag, rate limits and stops are not mistaken for lost
 effectiveness: with them, (18) holds for any command.
 
-Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`), i an actuator, dt [s], axial the airspeed along
-the propellers' axis [m/s]. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J) with J = axial / (n D), rotor
+Letters: those of `records`. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J) with J = axial / (n D), rotor
 speed n in rev/s. Motor: current I = (voltage - n/K_v)/R, torque K_t (I - i_0). Engine: thrust from a table over throttle and
 airspeed, for the throttle that the engine has followed so far.
 """

@@ -10,7 +10,7 @@ Every element of G is learnt, and stays between its first value divided by `fact
 that of `controllers.indi` with G in place of B_m. Its authors have no diagnosis: nothing is flagged and no mode is switched. What
 is logged as effectiveness of an actuator is its column of G, as a multiple of the first one.
 
-Letters: y state, m design model, c settings, k control mode, s memory, w working memory (`records`); h what is learnt (LEARNING).
+Letters: those of `records`, and h what is learnt (`learning_dtype`).
 """
 # mypy: allow-untyped-defs
 
@@ -118,13 +118,8 @@ def weigh(m, k, h):
 
 @compiled
 def adaptive_indi_step(step, parts):
-    """One control step: learn, remainder, outer loops, increment, allocation, commands; returns 0.
-
-    Args:
-        step: row of the channels.
-        parts: see `CompiledController`; the last is the record of what is learnt.
-    """
-    states, setpoints, telemetry, models, settings, modes, memories, works, learnt = parts
+    """One control step: learn, remainder, loops, increment, allocation, commands; returns 0. The last part is what is learnt."""
+    states, setpoints, telemetry, models, settings, modes, memories, works, _, learnt = parts
     y, ref, w, h = states[step], setpoints[step], works[0], learnt[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)

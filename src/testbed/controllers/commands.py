@@ -1,6 +1,6 @@
 """The end of every control step: positions become commands, and a row of telemetry is written for the log.
 
-Letters: m design model (`records.MODEL`), c settings (`records.SETTINGS`), s memory (`records.MEMORY`).
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

@@ -3,8 +3,7 @@
 What they flag puts the mode for that failure in force. So a control law that neither estimates nor monitors, or does so for its
 own purpose, can be compared with the adaptive law at the same diagnosis.
 
-Letters: y measured state, m design model, c settings of the diagnosis, s memory of the control law, d memory of the diagnosis,
-w working memory; their fields, shapes and units are in `records`.
+Letters: those of `records`; c the settings and d the memory of the diagnosis, s the memory of the control law.
 """
 # mypy: allow-untyped-defs
 
@@ -17,9 +16,9 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
+from testbed.controllers.inversion.controller import CompiledController
 from testbed.controllers.inversion.law import state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.step import estimate
@@ -28,12 +27,7 @@ from testbed.controllers.setup import Setup
 
 @compiled
 def diagnose(step, parts):
-    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved.
-
-    Args:
-        step: row of the channels.
-        parts: see `DiagnosedController`.
-    """
+    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved."""
     states, setpoints, _, models, _, _, memories, works, settings, diagnoses = parts
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
     s, d, w = memories[0], diagnoses[0], works[0]

@@ -10,7 +10,7 @@ been more probable than a limit for some time, the actuator is flagged, and the 
 then on "as it is" includes this loss, so that a second failure is looked for on top of the first. Only losses have models:
 a jam has none.
 
-Letters: y measured state, m design model, c settings, s memory, w working memory (`records`), h the bank of models (BANK).
+Letters: those of `records`, and h the bank of models (`bank_dtype`).
 """
 # mypy: allow-untyped-defs
 
@@ -143,7 +143,7 @@ def conclude(c, s, h):
 @compiled
 def imm_step(step, parts):
     """Estimate, flag, invert and command for one measured state; as `inversion.step.adaptive_step`, with the bank as last part."""
-    states, setpoints, telemetry, models, settings, modes, memories, works, banks = parts
+    states, _, _, models, settings, _, memories, works, _, banks = parts
     y, m, c, s, w, h = states[step], models[0], settings[0], memories[0], works[0], banks[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
     state_function(y, m, w.f)
@@ -154,7 +154,7 @@ def imm_step(step, parts):
     update(w.z, w.phi, c, s, h)
     if conclude(c, s, h):
         return 1
-    command_step(step, (states, setpoints, telemetry, models, settings, modes, memories, works))
+    command_step(step, parts[:9])
     return 0
 
 

@@ -14,8 +14,7 @@ By itself it neither estimates nor monitors: the next increment corrects for a l
 `monitor` it has the diagnosis of the adaptive law (`controllers.diagnosis`). No command is divided by an estimate. So this
 separates what diagnosis brings from what compensation brings.
 
-Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
-shapes and units are in `records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
@@ -57,12 +56,7 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
 
 @compiled
 def indi_step(step, parts):
-    """One control step: remainder, outer loops, increment, allocation, commands.
-
-    Args:
-        step: row of the channels.
-        parts: see `DiagnosedController`.
-    """
+    """One control step: remainder, outer loops, increment, allocation, commands; see `DiagnosedController`."""
     states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]

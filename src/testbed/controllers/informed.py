@@ -5,8 +5,7 @@ by `Setup.truth`, no other controller has. None is a bound by itself: the law's 
 up, may be worse than others. So there are several choices, and the best of them and of all controllers in a flight is taken for
 what could be held in it (`rivals.INFORMED`).
 
-Letters: y state, m design model, c settings, k control mode, s memory, w working memory; their fields, shapes and units are in
-`records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
@@ -36,7 +35,7 @@ def informed_step(step, parts):
     The forces of jammed actuators are a known part of f_m, where no regulator is designed for them. With `c.adapts` (`increments`),
     the measured error (10) is taken from nu: it is then what the truth about the actuators leaves unexplained.
     """
-    states, setpoints, telemetry, models, settings, modes, memories, works = parts
+    states, setpoints, telemetry, models, settings, modes, memories, works, _ = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)

@@ -14,8 +14,7 @@ It is the adaptive augmentation of a baseline control by L1 theory for an unknow
 (Hovakimyan and Cao, L1 Adaptive Control Theory, SIAM 2010, ch. 2). As Gamma grows, lambda_hat u becomes the measured effect z, and
 v' = k (r - z) is integral control on the measured rates: incremental inversion (`controllers.indi`).
 
-Letters: y state, ref references, m design model, c settings, k control mode, s memory, d memory of the diagnosis, w working
-memory; their fields, shapes and units are in `records`.
+Letters: those of `records`, and d the memory of the diagnosis.
 """
 # mypy: allow-untyped-defs
 
@@ -81,12 +80,7 @@ def low_pass_channel(m, c, k, s):
 
 @compiled
 def l1_step(step, parts):
-    """One control step: fast estimate, outer loops, allocation, low-pass channel, commands.
-
-    Args:
-        step: row of the channels.
-        parts: see `DiagnosedController`.
-    """
+    """One control step: fast estimate, outer loops, allocation, low-pass channel, commands."""
     states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]

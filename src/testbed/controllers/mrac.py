@@ -15,7 +15,7 @@ the rate l:
 
 P of Lyapunov's equation is diagonal here, 1 / 2 l with Q = 1, and is a part of Gamma. Nothing is flagged and no mode is switched.
 
-Letters: y state, m design model, c settings, k control mode, s memory, w working memory (`records`); h the adaptive part.
+Letters: those of `records`, and h the adaptive part (`adaptation_dtype`).
 """
 # mypy: allow-untyped-defs
 
@@ -107,13 +107,8 @@ def adapt(y, pressure_ratio, m, c, s, h, w):
 
 @compiled
 def mrac_step(step, parts):
-    """One control step: adaptation, outer loops, inversion, commands; returns 0.
-
-    Args:
-        step: row of the channels.
-        parts: see `CompiledController`; the last is the record of the adaptive part.
-    """
-    states, setpoints, telemetry, models, settings, modes, memories, works, adaptations = parts
+    """One control step: adaptation, outer loops, inversion, commands; returns 0. The last part is the adaptive one."""
+    states, setpoints, telemetry, models, settings, modes, memories, works, _, adaptations = parts
     y, ref, w, h = states[step], setpoints[step], works[0], adaptations[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)

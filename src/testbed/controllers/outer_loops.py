@@ -4,8 +4,7 @@
 `regulate` is for modes with released axes. The remaining actuators no longer decouple the axes, so it feeds back all states. Its
 gains are designed on the design model by `inversion.regulator`.
 
-Letters: y state, ref references, m design model, c settings, k mode, s memory, f and nu of the working memory; their
-fields, shapes and units are in `records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

@@ -11,8 +11,7 @@ are rates per error, and those of one aircraft are near those of another.
 Structure: Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., sec. 4.4 to 4.6; bank by rudder and
 dihedral as on a two-axis glider. How the gains were found: `PidSettings`.
 
-Letters: y measured state, ref references, m design model, c settings, k control mode, s memory (`records`), g gains
-(`PidSettings`).
+Letters: those of `records`, and g the gains (`PidSettings`).
 """
 # mypy: allow-untyped-defs
 
@@ -27,10 +26,10 @@ from testbed.common.signals import RATES, record_dtype
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
-from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import ControllerSettings, PidSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate_and_command
+from testbed.controllers.inversion.controller import CompiledController
 from testbed.controllers.inversion.law import pressure_ratio_of
 from testbed.controllers.inversion.modes import allocation_of
 from testbed.controllers.outer_loops import clip, wrap
@@ -83,12 +82,7 @@ def lateral(y, ref, dt, g, k, s):
 
 @compiled
 def pid_step(step, parts):
-    """One control step: loops, allocation and commands for one measured state.
-
-    Args:
-        step: row of the channels.
-        parts: see `CompiledController`; the last is the record of the gains.
-    """
+    """One control step: loops, allocation and commands for one measured state; the last part is the gains."""
     states, setpoints, telemetry, models, settings, modes, memories, works, gains = parts
     y, ref, g, w = states[step], setpoints[step], gains[0], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]

@@ -8,6 +8,9 @@ the paper's symbols: `m.B[i, j]`. The compiled functions name the records by one
     m     design model f_m, B_m, MODEL                w     working memory of one step, WORK: f, z, e, nu, phi, P_h
     c     settings, SETTINGS
 
+Of the working memory, f, z, e, nu, phi and P_h are called by their names too. `pressure_ratio` is (V/V_0)^2, the dynamic
+pressure divided by that at the reference condition [1], and `axial` the airspeed along the propellers' axis [m/s].
+
 The unit "scaled" is an actuator's position [rad or N] divided by its `scale`. One scaled unit of a tail and one of a
 propeller have about the same authority, so one epsilon serves all actuators in (14). The unit "x_c" is that of the
 controlled rates, four rows by `signals.RATES`: [rad/s2] for p_dot, q_dot and r_dot, [m/s2] for u_dot. n is the number of

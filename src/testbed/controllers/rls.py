@@ -5,8 +5,7 @@ Filter Theory, ch. 9; Astrom and Wittenmark, Adaptive Control, sec. 2.2), where 
 References are divided by the estimates as in the adaptive law. Nothing is flagged, no mode is switched, and the model's own
 error is not estimated. Without excitation P grows without bound under forgetting, so its variances are limited.
 
-Letters: y measured state, m design model, c settings, s memory, w working memory; their fields, shapes and units are in
-`records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
@@ -45,7 +44,7 @@ def forget(c, s):
 @compiled
 def rls_step(step, parts):
     """Estimate, invert and command for one measured state; arguments as in `inversion.step.adaptive_step`; returns 0."""
-    states, _, _, models, settings, _, memories, works = parts
+    states, _, _, models, settings, _, memories, works, _ = parts
     y, m, c, s, w = states[step], models[0], settings[0], memories[0], works[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
     state_function(y, m, w.f)

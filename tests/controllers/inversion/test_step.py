@@ -12,7 +12,7 @@ from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemet
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.step import adaptive_step, believed_command_step, estimate
+from testbed.controllers.inversion.step import adaptive_step, command_step, estimate
 from testbed.controllers.records import REGULATOR_STATE, work_dtype
 from testbed.controllers.setup import Setup
 
@@ -64,7 +64,7 @@ def test_the_lost_actuator_is_the_one_whose_estimate_falls(setup: Setup) -> None
 
 
 def test_a_step_that_flags_has_not_commanded_yet() -> None:
-    """It waits for the mode of the new failures; `believed_command_step` then fills commands and telemetry."""
+    """It waits for the mode of the new failures; `command_step` then fills commands and telemetry."""
     parts = parts_of(NEWTON, effectiveness=0.0)
     telemetry, s = parts[2], parts[6][0]
     for _ in range(2000):
@@ -73,7 +73,7 @@ def test_a_step_that_flags_has_not_commanded_yet() -> None:
             break
     assert s.failed.tolist() == [1, 0, 0, 0]
     assert not telemetry.any()
-    believed_command_step(0, parts)
+    command_step(0, parts)
     assert telemetry[0, 12:16].tolist() == [1.0, 0.0, 0.0, 0.0] and telemetry[0, :8].any()
 
 

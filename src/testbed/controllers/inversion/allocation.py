@@ -5,8 +5,7 @@ positions within the stops, those are taken whose rates are closest to nu, by we
 actuator at its stop as far as they can. Where they cannot, the weights (`control.allocation` of the aircraft) say which axis gives
 way: airspeed before attitude.
 
-Letters: m design model, c settings, k control mode, s memory, w working memory; their fields, shapes and units are in
-`records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
@@ -21,13 +20,7 @@ from testbed.controllers.records import U_DOT
 
 @compiled
 def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
-    """Fill `s` with references r, commanded positions u within the stops, and commands, for a virtual control.
-
-    Args:
-        nu: [4] virtual control [rad/s2, m/s2].
-        pressure_ratio: (V/V_0)^2 [1].
-        axial: airspeed along the propellers' axis [m/s].
-    """
+    """Fill `s` with references r, commanded positions u within the stops, and commands, for a virtual control nu [4]."""
     allocate(nu, pressure_ratio, m, c, k, s, w)  # (6), (29): r
     compensate(m, c, k, s)  # (8): u = Lambda_hat^-1 r
     command_actuators(axial, m, s)

@@ -1,20 +1,59 @@
-"""The adaptive inversion controller: the compiled law, its records, and the switching of control modes."""
+"""Controllers whose control step is a compiled law, and the one of the adaptive inversion, which switches control modes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from testbed.common.jit import bound
 from testbed.common.signals import STATE, as_records
-from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.controllers.initial_records import settings_record, trimmed_memory
+from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.step import adaptive_step, believed_command_step, command_step
+from testbed.controllers.inversion.step import adaptive_step, command_step
+from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
+
+Law = Callable[[int, Any], int]
+"""A compiled control step of a row of the channels and `parts`, a tuple: states, setpoints and telemetry (see `Controller.bind`),
+then the records of model, settings, mode, memory and working memory, each an array of one record, and then more. They are one tuple
+because a call with it takes a third of the time."""
+
+
+class CompiledController:
+    """Calls a law in each control step (see `Controller`).
+
+    Args:
+        settings, mode, memory: records of `records.SETTINGS`, `records.MODE` and `records.MEMORY`.
+        more: further arrays that the law needs.
+    """
+
+    reasons: Sequence[tuple[int, str]] = ()
+
+    def __init__(
+        self,
+        setup: Setup,
+        law: Law,
+        settings: np.ndarray,
+        mode: np.ndarray,
+        memory: np.ndarray,
+        more: tuple[np.ndarray, ...] = (),
+    ) -> None:
+        work = np.zeros(1, work_dtype(len(setup.actuators)))
+        self._law, self._records = law, (model_record(setup), settings, mode, memory, work, *more)
+        self._commands = memoryview(memory[0].command)  # quicker to go through than the array
+
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `Controller.bind`)."""
+        self._parts = (states, setpoints, telemetry, *self._records)
+        self._step = bound(self._law, 0, self._parts)
+
+    def step(self, step: int) -> memoryview:
+        """Commands [n] for row `step`."""
+        self._step(step, self._parts)
+        return self._commands
 
 
 class InversionController(CompiledController):
@@ -23,7 +62,7 @@ class InversionController(CompiledController):
     Args:
         setup: design model, gains and actuators.
         settings: [1] record of `records.settings_dtype`; by default that of the scenario.
-        law: the compiled step, by default the adaptive one; it takes and returns what `adaptive_step` does.
+        law: by default the adaptive one; it returns what `adaptive_step` does.
         more: arrays that `law` needs beyond those of `adaptive_step`.
 
     Attributes:
@@ -38,18 +77,16 @@ class InversionController(CompiledController):
         self,
         setup: Setup,
         settings: np.ndarray | None = None,
-        law: Callable[[int, Any], int] = adaptive_step,
+        law: Law = adaptive_step,
         more: tuple[np.ndarray, ...] = (),
     ) -> None:
-        if law is adaptive_step:
-            more = (as_records(np.zeros((1, len(STATE))), STATE),)
-        self._commanding = believed_command_step if law is adaptive_step else command_step
         if settings is None:
             settings = settings_record(setup, setup.settings_as(AdaptiveInversionSettings))
         self.memory = trimmed_memory(setup)
         self._modes = ModeSwitch(setup, self.memory)
         self.reasons = self._modes.reasons
-        super().__init__(setup, law, settings, self._modes.record, self.memory, more)
+        believed = as_records(np.zeros((1, len(STATE))), STATE)
+        super().__init__(setup, law, settings, self._modes.record, self.memory, (believed, *more))
 
     def switch(self, step: int) -> None:
         """Put the mode in force that belongs to the flags in `memory`, from row `step` on."""
@@ -58,8 +95,8 @@ class InversionController(CompiledController):
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `Controller.bind`)."""
         super().bind(states, setpoints, telemetry)
-        self._common = self._parts[:9] if self._commanding is believed_command_step else self._parts[:8]
-        self._command = bound(self._commanding, 0, self._common)
+        self._common = self._parts[:9]
+        self._command = bound(command_step, 0, self._common)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""

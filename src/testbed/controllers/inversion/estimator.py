@@ -6,8 +6,7 @@ and b, the model error: what f_m and B_m leave out of each rate. b is a first-or
 effectiveness, most of all for an actuator that is hardly deflected. The noise is the disturbance of each rate by gusts, so the
 rates that gusts disturb most have the least weight. A small position has little weight by itself, so no epsilon is needed.
 
-Letters: y measured state, m design model, c settings, s memory; z, phi and P_h of the working memory; their fields,
-shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

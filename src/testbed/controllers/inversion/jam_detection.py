@@ -4,8 +4,7 @@ The test is a generalised likelihood ratio (GLR; Willsky and Jones, IEEE TAC 21 
 An actuator that is detected so is flagged as failed and as jammed. From then on its position is estimated in place of its
 effectiveness: its column of `law.regressor` is the effect of one scaled unit.
 
-Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
-pressure_ratio is (V/V_0)^2.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

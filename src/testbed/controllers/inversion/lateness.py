@@ -17,7 +17,7 @@ and a late surface that oscillated seemed weak all the same.
 Each l is a random walk, estimated by a Kalman filter of one state from the innovation e - b of the four rates, one after the other.
 The derivative of the effect by l is minus rho through one more such lag.
 
-Letters: c settings, s memory, w, e and phi the working memory; their fields, shapes and units are in `records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

@@ -3,9 +3,7 @@
 Plain Python that numba compiles; names are the paper's: x_c the controlled rates, f_m and B_m the design model, r the
 reference actuator position, u = r / lambda_hat the commanded one, Lambda_hat = diag(lambda_hat).
 
-Letters: y measured state, m design model, c settings, k control mode, s memory; f, z, e, nu, phi of the working memory.
-Their fields, shapes and units are in `records`. pressure_ratio is (V/V_0)^2, the dynamic pressure divided by that at the
-reference condition.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

@@ -1,7 +1,7 @@
 """Loss detection: the paper's monitor (section 2.3), which flags an actuator whose effectiveness is low, and what the default law
 asks beyond that.
 
-Letters: y measured state, ref references, m design model, c settings, s memory; their fields, shapes and units are in `records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

@@ -9,8 +9,7 @@ up for it by its `shift`.
 
 Motors and engines are excluded: what they give beside their throttle is a jam.
 
-Letters: m design model, c settings, s memory, phi of the working memory; their fields, shapes and units are in `records`.
-pressure_ratio is (V/V_0)^2.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

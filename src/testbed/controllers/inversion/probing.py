@@ -6,8 +6,7 @@ So its command is trim + a sine. The gain g from its modelled position to its fo
 when 0 is `SIGMAS` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
 rates. An engine's is slower, as the engine is.
 
-Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
-pressure_ratio is (V/V_0)^2.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 

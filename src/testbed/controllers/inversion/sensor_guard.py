@@ -11,8 +11,7 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made
 up for, and no jam is looked for: gusts would be taken for forces.
 
-Letters: raw measured state, y the state that is believed, ref references, c settings, k control mode, s memory; their fields,
-shapes and units are in `records` and `common.signals`.
+Letters: those of `records`; raw is the measured state, and y the one that is believed.
 """
 # mypy: allow-untyped-defs
 

@@ -1,7 +1,6 @@
 """One control step of the adaptive inversion controller: the block diagram of the paper's figure 2, top to bottom.
 
-Letters: y measured state, ref references, m design model, c settings, k control mode, s memory, w working memory; their
-fields, shapes and units are in `records`.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
@@ -38,11 +37,11 @@ def adaptive_step(step, parts):
     """Estimate, monitor, invert and command for one measured state.
 
     Returns 1 when the flagged failures changed, or a jammed actuator moved. Then nothing has been commanded yet: the caller
-    must put the new mode in force, and then call `believed_command_step`.
+    must put the new mode in force, and then call `command_step`.
 
     Args:
         step: row of the channels.
-        parts: see `CompiledController`.
+        parts: see `CompiledController`; the last is the state that is believed.
     """
     states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
@@ -110,15 +109,7 @@ def regression(y, pressure_ratio, m, c, s, w):
 
 @compiled
 def command_step(step, parts):
-    """Outer loops, inversion and commands with the mode in force; arguments as in `adaptive_step`."""
-    states, setpoints, telemetry, models, settings, modes, memories, works = parts
-    m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    command(states[step], setpoints[step], telemetry[step], m, c, k, s, works[0])
-
-
-@compiled
-def believed_command_step(step, parts):
-    """As `command_step`, with the parts of `adaptive_step`, after which it is called: y is what that believed."""
+    """Outer loops, inversion and commands with the mode in force, for the state that the estimation of this step believed."""
     states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     y = believed[0] if c.guards else states[step]

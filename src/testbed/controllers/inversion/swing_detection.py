@@ -6,8 +6,7 @@ that is given up stands still at its trim position. Then a lost actuator has no 
 of one that swings oscillates. Such an actuator is used again. From then on its swings are part of the model error b along its
 column of B, so that its effectiveness is judged by what follows the command alone.
 
-Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
-pressure_ratio is (V/V_0)^2.
+Letters: those of `records`.
 """
 # mypy: allow-untyped-defs
 
