@@ -17,7 +17,7 @@ from scripts import runnable
 import testbed
 from testbed.__main__ import main
 from testbed.controllers.external import mavlink
-from testbed.controllers.external.ardupilot_parameters import Outputs, merged
+from testbed.controllers.external.ardupilot_parameters import Outputs, given, written
 from testbed.controllers.external.reference import load
 from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
@@ -172,7 +172,7 @@ def test_frames_are_those_of_mavlink():
 )
 def test_parameters_follow_from_the_aircraft(aircraft, airspeed, functions):
     setup = setup_of(aircraft, airspeed)
-    values = merged(setup, None)
+    values = written(setup)
     assert [values[f"SERVO{n}_FUNCTION"] for n in range(1, 5)] == functions
     trims = [values[f"SERVO{n}_TRIM"] for n in range(1, 5)]
     commands = Outputs(setup, values).commands([*trims, *[0] * 12])
@@ -184,7 +184,7 @@ def test_parameters_follow_from_the_aircraft(aircraft, airspeed, functions):
 
 def test_positive_demands_turn_the_aircraft_their_way():
     setup = setup_of("vtail", 18.0)
-    outputs = Outputs(setup, merged(setup, None))
+    outputs = Outputs(setup, written(setup))
     effect = np.array(setup.model.input_matrix)[:, :2]
     turned = [
         effect @ outputs.commands([*pulses, 0, 0, *[0] * 12])[:2] for pulses in ([1600, 1600], [1600, 1400])
@@ -196,7 +196,7 @@ def test_later_parameters_count(tmp_path):
     file = tmp_path / "tuned.parm"
     file.write_text("PTCH_RATE_P 0.3 # mine\nSERVO1_FUNCTION,4\nSERVO6_FUNCTION 79\nRLL_RATE_P 0.2\n")
     setup = replace(setup_of("vtail", 18.0), parameters={"RLL_RATE_P": 0.1})
-    values = merged(setup, str(file))
+    values = {**written(setup), **given(setup, str(file))}
     assert (values["PTCH_RATE_P"], values["RLL_RATE_P"]) == (0.3, 0.1)
     pulses = [1500] * 16
     pulses[5] = 2000

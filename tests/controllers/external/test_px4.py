@@ -14,7 +14,8 @@ from scripts import runnable
 
 import testbed
 from testbed.controllers.external import mavlink, px4
-from testbed.controllers.external.px4_parameters import merged
+from testbed.controllers.external.ardupilot_parameters import given
+from testbed.controllers.external.px4_parameters import written
 from testbed.controllers.external.reference import load
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import load_scenario
@@ -140,7 +141,7 @@ def test_a_program_of_another_kind_is_refused(tmp_path, monkeypatch):
 @pytest.mark.parametrize(("aircraft", "airspeed", "surfaces"), [("vtail", 18.0, 2), ("aerosonde", 25.0, 3)])
 def test_parameters_follow_from_the_aircraft(aircraft, airspeed, surfaces, tmp_path):
     setup = setup_of(aircraft, airspeed)
-    values = merged(setup, None)
+    values = written(setup)
     torques = np.array([[values[f"CA_SV_CS{n}_TRQ_{axis}"] for axis in "RPY"] for n in range(surfaces)])
     np.testing.assert_allclose(np.abs(torques).sum(axis=0), 1.0)
     effect = np.array(setup.model.input_matrix)[:3, :surfaces]
@@ -152,7 +153,7 @@ def test_parameters_follow_from_the_aircraft(aircraft, airspeed, surfaces, tmp_p
         (middle[:surfaces] + half[:surfaces] * trims), setup.trim_commands[:surfaces], atol=1e-9
     )
     (tmp_path / "own.parm").write_text("FW_PR_P 0.5\nFW_RR_P 0.4\n")
-    later = merged(replace(setup, parameters={"FW_RR_P": 0.1}), str(tmp_path / "own.parm"))
+    later = {**values, **given(replace(setup, parameters={"FW_RR_P": 0.1}), str(tmp_path / "own.parm"))}
     assert (later["FW_PR_P"], later["FW_RR_P"]) == (0.5, 0.1)
 
 

@@ -10,14 +10,10 @@ from __future__ import annotations
 import contextlib
 import json
 import math
-import os
 import select
-import signal
 import socket
 import struct
-import subprocess
 import time
-import weakref
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -27,15 +23,13 @@ from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink
 from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, given, text, written
-from testbed.controllers.external.process import CONSOLE, ended, how_it_ended, in_folder
+from testbed.controllers.external.process import START_S, STEP_S, Autopilot
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
     from testbed.controllers.user.adapter import Reference, Sensed, State
 
-START_S, STEP_S = 60.0, 10.0
-"""How long it may take to send its first packet, and each further one [s]; it repeats a packet after one second."""
 WARM_UP_S = 20.0
 """Its filters need 12 s of steady flight; the length changes the flight."""
 _ASK_S, _ARM_S, _GUIDED_S, _SETPOINTS_S = 18.0, 1.0, 0.2, 0.1  # before the release
@@ -46,27 +40,20 @@ _ASKING_S, _LISTING_S, _ANSWERS_US = (
 )  # it looks up a hundred parameters in a second, and lists more
 _SETPOINT_EVERY_S = 0.1  # a heading resets an integrator of the autopilot's, so it is sent no oftener
 _LATERAL_LIMIT_M_S2 = 10.0  # of a commanded turn: its own limit of the bank is what counts
-_GUIDED, _FORCE = 15, 21196
+_GUIDED = 15
 _PACKETS = {18458: struct.Struct("<HHI16H"), 29569: struct.Struct("<HHI32H")}
 _POLL_S = 0.2
-_HOME = "45,10"  # latitude and longitude of the start [deg]; 0,0 would be replaced by its own
 _PARAMETERS = "parameters.parm"
+_HOME = "45,10"  # latitude and longitude of the start [deg]; 0,0 would be replaced by its own
 
 
-class ArduPilot:
-    """Flies one flight with an autopilot that is started for it, in the folder of `Setup.plan`.
-
-    What it takes for failed is not said.
-    """
+class ArduPilot(Autopilot):
+    """Flies one flight; it repeats a packet that is not answered after one second."""
 
     def __init__(self, setup: Setup, path: str, parameters: str | None = None) -> None:
-        self._name, self._dt, self._pitch = os.path.basename(path), setup.dt_s, setup.trim_pitch
-        self._time_s, self._count, self._frames, self._sent = -WARM_UP_S, -1, 0, 0
-        self._line = b""
+        super().__init__(setup, path, WARM_UP_S)
+        self._count, self._line = -1, b""
         self._last_sent = dict.fromkeys(("altitude", "airspeed", "heading"), math.nan)
-        if setup.plan is None:
-            raise self._problem("is flown only with a plan of the flight")
-        self._folder = setup.plan.folder
         mine = given(setup, parameters)
         values = {**written(setup), **mine}
         self._asks, self._asked, self._has = [*mine], 0, set[str]()
@@ -75,26 +62,16 @@ class ArduPilot:
         self._states, self._link = _bound(), _bound()
         self._link.setblocking(False)  # it is listened to between two states
         self._link_address: tuple[str, int] | None = None
-        try:
-            self._process = self._started(path)
-        except BaseException:
-            _closed(self._states, self._link)
-            raise
-        self._end = weakref.finalize(self, _ended, self._process, self._states, self._link)
-        try:
-            self._first_packet()
-        except BaseException:
-            self._end()
-            raise
-
-    def _started(self, path: str) -> subprocess.Popen[bytes]:
         command = [path, "--model", "JSON", "--sim-port-out", str(_port(self._states))]
         command += ["--home", f"{_HOME},0,0", "--defaults", _PARAMETERS]
         command += ["--serial0", f"udpclient:127.0.0.1:{_port(self._link)}"]
+        self._start(command, (self._states, self._link))
         try:
-            return in_folder(self._folder, command)
-        except OSError as error:
-            raise self._problem(f"cannot be started: {error.strerror}") from None
+            self._packet(START_S)
+            self._states.connect(self._sender)
+        except BaseException:
+            self._end()
+            raise
 
     def update(self, time_s: float, state: State, reference: Reference, sensed: Sensed) -> np.ndarray:
         """The commands that its pulse widths stand for."""
@@ -108,8 +85,8 @@ class ArduPilot:
     def close(self) -> None:
         """End the autopilot: a signal, which it heeds when it has a state; its log stays in the folder."""
         if self._end.alive:
+            self._tell_to_end()
             with contextlib.suppress(OSError):
-                self._process.send_signal(signal.SIGTERM)
                 self._states.send(self._line)
             self._end()
             for log in self._folder.glob("logs/*.BIN"):
@@ -128,7 +105,7 @@ class ArduPilot:
                 self._ask()
             if step == arm:
                 self._refuse_unknown(sensed)
-                self._command(mavlink.ARM, 1, _FORCE)
+                self._command(mavlink.ARM, 1, mavlink.FORCE)
             if step == guided:
                 self._command(mavlink.SET_MODE, 1, _GUIDED)
             if step == setpoints:
@@ -207,19 +184,13 @@ class ArduPilot:
             self._states.send(self._line)
         return self._packet(STEP_S)
 
-    def _first_packet(self) -> None:
-        self._packet(START_S)
-        self._states.connect(self._sender)
-
     def _packet(self, within_s: float) -> Sequence[int]:
         """The pulse widths of the next packet; those that it has sent before are dropped."""
         until_s = time.monotonic() + within_s
         while time.monotonic() < until_s:
             data = self._received()
             if data is None:
-                with open(self._folder / CONSOLE, "rb") as console:
-                    if how := how_it_ended(self._process, console):
-                        raise self._problem(how)
+                self._living()
                 continue
             count, pulses = self._unpacked(data)
             if self._count < 0 or count == self._count + 1:
@@ -248,11 +219,12 @@ class ArduPilot:
         _, _, count, *pulses = layout.unpack(data)
         return count, pulses
 
-    def _problem(self, what: str, expected: str = "") -> BadInput:
-        when = f"at {self._time_s:.3f} s " if self._frames else "before the flight "
-        if self._frames and self._time_s < 0.0:
-            when = f"in its warm-up, {-self._time_s:.3f} s before the flight, "
-        return BadInput([Problem(when + "it " + what, self._name, expected=expected)])
+    def _before(self) -> str:
+        return (
+            f"in its warm-up, {-self._time_s:.3f} s before the flight, "
+            if self._frames
+            else super()._before()
+        )
 
 
 def started(setup: Setup, words: Sequence[str]) -> ArduPilot:
@@ -312,13 +284,3 @@ def _bound() -> socket.socket:
 def _port(bound: socket.socket) -> int:
     port: int = bound.getsockname()[1]
     return port
-
-
-def _ended(process: subprocess.Popen[bytes], *sockets: socket.socket) -> None:
-    ended(process)
-    _closed(*sockets)
-
-
-def _closed(*sockets: socket.socket) -> None:
-    for each in sockets:
-        each.close()

@@ -55,11 +55,6 @@ _OUTER_LOOPS = {
 """The same for every aircraft: GUIDED_IMAX is too small for an integral as it comes, filters assume five times the samples."""
 
 
-def merged(setup: Setup, file: str | None) -> dict[str, float]:
-    """Value of each parameter: of the aircraft, then of the user's file, then of `controller.parameters`; raises BadInput."""
-    return {**written(setup), **given(setup, file)}
-
-
 def given(setup: Setup, file: str | None) -> dict[str, float]:
     """What the user gives: the values of a file, then those of `controller.parameters`; raises BadInput."""
     scenario = _checked(setup.parameters.items(), "controller.parameters")

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 ARM, SET_MODE, PLAIN_SPEED, SET_INTERVAL = 400, 176, 178, 511
 """Commands of COMMAND_LONG: arm (1, 21196 without checks); set the mode (1, the autopilot's own number); the airspeed (0, m/s);
 how often a message is sent (its number, us)."""
+FORCE = 21196
 CHANGE_SPEED, CHANGE_ALTITUDE, CHANGE_HEADING = 43000, 43001, 43002
 """Commands of COMMAND_INT that move the setpoints of guided flight."""
 PARAM_VALUE, HIL_ACTUATOR_CONTROLS = 22, 93

@@ -12,6 +12,7 @@ import os
 import select
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -32,9 +33,9 @@ PROTOCOL = 1
 """Version of the protocol, `testbed` in the first line."""
 START_S, STEP_S, END_S = 60.0, 10.0, 2.0
 """How long the process may take to answer the first line and a step, and to end by itself [s]."""
-_LONGEST_LINE = 1_000_000
 CONSOLE = "console.txt"
-"""In the folder of a program that `in_folder` has started: what it wrote to its two outputs."""
+"""In the folder of an autopilot: what it wrote to its two outputs."""
+_LONGEST_LINE = 1_000_000
 _OUTPUT, _MOST_KEPT = "stderr.txt", 10_000_000
 
 
@@ -151,6 +152,58 @@ class Process:
         return BadInput([Problem(when + "it " + what, self._name, expected=expected)])
 
 
+class Autopilot:
+    """An executable that is started for one flight, in the folder of `Setup.plan`. What it takes for failed is not said."""
+
+    def __init__(self, setup: Setup, path: str, warm_up_s: float) -> None:
+        self._name, self._dt, self._pitch = os.path.basename(path), setup.dt_s, setup.trim_pitch
+        self._time_s, self._frames, self._sent = -warm_up_s, 0, 0
+        if setup.plan is None:
+            raise self._problem("is flown only with a plan of the flight")
+        self._folder = setup.plan.folder
+
+    def _start(
+        self,
+        command: Sequence[str],
+        sockets: Sequence[socket.socket],
+        environment: Mapping[str, str] | None = None,
+    ) -> None:
+        """Start it with no input; at its end the sockets are closed too."""
+        write_new(self._folder / CONSOLE)
+        try:
+            with open(self._folder / CONSOLE, "r+b") as console:
+                self._process = subprocess.Popen(
+                    guarded(command),
+                    cwd=self._folder,
+                    env=environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=console,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                )
+        except OSError as error:
+            _close(sockets)
+            raise self._problem(f"cannot be started: {error.strerror}") from None
+        self._end = weakref.finalize(self, ended, self._process, sockets)
+
+    def _tell_to_end(self) -> None:
+        with contextlib.suppress(OSError):
+            self._process.send_signal(signal.SIGTERM)
+
+    def _living(self) -> None:
+        """Raise BadInput if it has ended."""
+        with open(self._folder / CONSOLE, "rb") as console:
+            if how := how_it_ended(self._process, console):
+                raise self._problem(how)
+
+    def _problem(self, what: str, expected: str = "") -> BadInput:
+        when = f"at {self._time_s:.3f} s " if self._frames and self._time_s >= 0.0 else self._before()
+        return BadInput([Problem(when + "it " + what, self._name, expected=expected)])
+
+    def _before(self) -> str:
+        return "before the flight "
+
+
 def started(setup: Setup, words: Sequence[str]) -> Process:
     """The controller of one flight; raises BadInput when the process cannot be started or does not answer."""
     return Process(setup, words)
@@ -183,23 +236,6 @@ def guarded(words: Sequence[str]) -> list[str]:
     return [guard, "--pdeathsig", "KILL", *words] if guard else list(words)
 
 
-def in_folder(
-    folder: Path, command: Sequence[str], environment: Mapping[str, str] | None = None
-) -> subprocess.Popen[bytes]:
-    """Start a program whose own folder this is, with no input and its outputs in `CONSOLE`; raises OSError."""
-    write_new(folder / CONSOLE)
-    with open(folder / CONSOLE, "r+b") as console:
-        return subprocess.Popen(
-            guarded(command),
-            cwd=folder,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=console,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-
-
 def how_it_ended(process: subprocess.Popen[bytes], errors: IO[bytes]) -> str:
     """How a process has ended, with the last line that it wrote to this file; empty while it goes on."""
     status = process.poll()
@@ -210,7 +246,7 @@ def how_it_ended(process: subprocess.Popen[bytes], errors: IO[bytes]) -> str:
     return how + (f'; its last words: "{words}"' if words else "")
 
 
-def ended(process: subprocess.Popen[bytes]) -> None:
+def ended(process: subprocess.Popen[bytes], sockets: Sequence[socket.socket] = ()) -> None:
     """End a process and those that it has started: tell it by the end of its input, wait, then end the whole group."""
     with contextlib.suppress(OSError):
         if process.stdin:
@@ -222,6 +258,12 @@ def ended(process: subprocess.Popen[bytes]) -> None:
     process.wait()
     if process.stdout:
         process.stdout.close()
+    _close(sockets)
+
+
+def _close(sockets: Sequence[socket.socket]) -> None:
+    for each in sockets:
+        each.close()
 
 
 def _no_number(text: str) -> NoReturn:

@@ -10,11 +10,8 @@ import contextlib
 import math
 import os
 import select
-import signal
 import socket
-import subprocess
 import time
-import weakref
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -25,21 +22,18 @@ from testbed.common.frames import body_from_ned
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink
-from testbed.controllers.external.ardupilot_parameters import SEA_LEVEL_KG_M3, density_ratio, text
-from testbed.controllers.external.process import CONSOLE, ended, how_it_ended, in_folder
-from testbed.controllers.external.px4_parameters import merged
-from testbed.inputs.problems import BadInput, Problem
+from testbed.controllers.external.ardupilot_parameters import SEA_LEVEL_KG_M3, density_ratio, given, text
+from testbed.controllers.external.process import CONSOLE, START_S, STEP_S, Autopilot
+from testbed.controllers.external.px4_parameters import written
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
     from testbed.controllers.user.adapter import Reference, Sensed, State
 
-START_S, STEP_S = 60.0, 10.0
-"""How long it may take to connect and to send its first controls, and to answer a step [s]."""
 WARM_UP_S = 30.0
 _SETPOINTS_S, _ARM_S, _OFFBOARD_S = 3.0, 1.0, 0.5  # before the release
 _EVERY_S = 0.1  # of setpoints, which it wants in a stream, and of its satellite receiver
-_OFFBOARD, _FORCE = 6, 21196
+_OFFBOARD = 6
 _PORT, _LINK, _ITS_LINK, _MOST = 4560, 14540, 14580, 100  # each with the number of the instance
 _BOOT_STEP_S = 0.02  # of wall clock for a step, until it answers
 _ALL = 0x1FFF
@@ -48,34 +42,23 @@ _FIELD_GAUSS = np.array((0.2257, 0.0130, 0.4166))  # north, east, down at home
 _EARTH_M = 6_371_000.0
 _DITHER = 1e-3  # readings that stay the same to the last bit count as those of a broken sensor
 _AIRFRAME = {"PX4_SIM_MODEL": "gazebo-classic_plane", "PX4_SYS_AUTOSTART": "1030"}
-_PARAMETERS = "parameters.parm"
 
 
-class PX4:
-    """Flies one flight with a PX4 that is started for it, in the folder of `Setup.plan`; what it takes for failed is not said."""
+class PX4(Autopilot):
+    """Flies one flight."""
 
     def __init__(self, setup: Setup, path: str, parameters: str | None = None) -> None:
-        self._name, self._dt, self._pitch = os.path.basename(path), setup.dt_s, setup.trim_pitch
-        self._time_s, self._frames, self._sent, self._rest, self._armed = -WARM_UP_S, 0, 0, b"", False
-        self._airspeed = math.nan
-        if setup.plan is None:
-            raise self._problem("is flown only with a plan of the flight")
-        self._folder = setup.plan.folder
+        super().__init__(setup, path, WARM_UP_S)
+        self._rest, self._armed, self._airspeed = b"", False, math.nan
         self._travel = _travel(setup)
-        values = merged(setup, parameters)
-        write_new(self._folder / _PARAMETERS, text(values))
+        values = {**written(setup), **given(setup, parameters)}
+        write_new(self._folder / "parameters.parm", text(values))
         instance, server, self._link = self._ports()
         self._its_link = ("127.0.0.1", _ITS_LINK + instance)
         environment = {**_AIRFRAME, **os.environ, "PX4_SIM_HOSTNAME": "127.0.0.1"}
         environment |= {f"PX4_PARAM_{name}": f"{value:.9g}" for name, value in values.items()}
         command = [path, "-i", str(instance), "-d", str(Path(path).parents[1] / "etc")]
-        try:
-            self._process = in_folder(self._folder, command, environment)
-        except OSError as error:
-            server.close()
-            self._link.close()
-            raise self._problem(f"cannot be started: {error.strerror}") from None
-        self._end = weakref.finalize(self, _ended, self._process, server, self._link)
+        self._start(command, (server, self._link), environment)
         try:
             self._stream = self._connected(server)
         except BaseException:
@@ -100,8 +83,7 @@ class PX4:
     def close(self) -> None:
         """End the autopilot, and keep its log."""
         if self._end.alive:
-            with contextlib.suppress(OSError):
-                self._process.send_signal(signal.SIGTERM)
+            self._tell_to_end()
             self._stream.close()
             self._end()
             for number, log in enumerate(sorted(self._folder.rglob("*.ulg"))):
@@ -143,7 +125,7 @@ class PX4:
                 self._set(reference, sensed)
             if step in (arm, offboard):
                 first = step == arm
-                command = (mavlink.ARM, 1, _FORCE) if first else (mavlink.SET_MODE, 1, _OFFBOARD)
+                command = (mavlink.ARM, 1, mavlink.FORCE) if first else (mavlink.SET_MODE, 1, _OFFBOARD)
                 self._send(mavlink.command_long(self._sent, *command))
             still = (0.0, self._pitch, sensed.heading)
             self._controls(self._say(sensed, (0.0,) * 3, force, still, self._time_s))
@@ -244,16 +226,6 @@ class PX4:
         finally:
             self._rest = self._rest[end:]
 
-    def _living(self) -> None:
-        """Raise BadInput if it has ended."""
-        with open(self._folder / CONSOLE, "rb") as console:
-            if how := how_it_ended(self._process, console):
-                raise self._problem(how)
-
-    def _problem(self, what: str, expected: str = "") -> BadInput:
-        when = f"at {self._time_s:.3f} s " if self._frames and self._time_s >= 0.0 else "before the flight "
-        return BadInput([Problem(when + "it " + what, self._name, expected=expected)])
-
 
 def started(setup: Setup, words: Sequence[str]) -> PX4:
     """The controller of one flight; raises BadInput when the executable or its parameters cannot be used."""
@@ -279,9 +251,3 @@ def _travel(setup: Setup) -> tuple[np.ndarray, np.ndarray]:
     ]
     middle, half = np.array(ends).T
     return middle, half
-
-
-def _ended(process: subprocess.Popen[bytes], *sockets: socket.socket) -> None:
-    ended(process)
-    for each in sockets:
-        each.close()

@@ -30,11 +30,6 @@ _FIXED = {
 """No radio, no battery that runs down, and no limits that the other controllers do not have."""
 
 
-def merged(setup: Setup, file: str | None) -> dict[str, float]:
-    """Value of each parameter: of the aircraft, then of the user's file, then of `controller.parameters`; raises BadInput."""
-    return {**written(setup), **conventional.given(setup, file)}
-
-
 def written(setup: Setup) -> dict[str, float]:
     """The parameters that follow from the aircraft."""
     return {**_FIXED, **_allocation(setup), **_speeds(setup), **_gains(setup)}
