@@ -118,14 +118,31 @@ class Sensed(NamedTuple):
     temperature: float
 
 
-class AsItIs:
+class Adapted:
+    """What a user's object is flown by.
+
+    Attributes:
+        senses: whether the object wants the rows of `signals.SENSED` too, which `bind_sensed` then takes.
+        outside: whether it has a method `close`, as one that holds a process or a connection should have.
+    """
+
+    def __init__(self, setup: Setup, flown: Any, name: str, senses: bool) -> None:
+        self._dt, self._names, self._flown, self._name = setup.dt_s, setup.model.actuators, flown, name
+        self.senses, self.outside = senses, callable(getattr(flown, "close", None))
+
+    def close(self) -> None:
+        """Close the user's object when the flight is over, if it has a method for it."""
+        if self.outside:
+            with in_words(self._name, "while being closed"):
+                self._flown.close()
+
+
+class AsItIs(Adapted):
     """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
-        self._dt, self._names, self._name = setup.dt_s, setup.model.actuators, name
-        self._flown, self._step = flown, flown.step
-        self.senses = callable(getattr(flown, "bind_sensed", None))
-        self.outside = can_be_closed(flown)
+        super().__init__(setup, flown, name, callable(getattr(flown, "bind_sensed", None)))
+        self._step = flown.step
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """See `Controller.bind`; raises BadInput when the user's code fails."""
@@ -136,10 +153,6 @@ class AsItIs:
         """Take the rows of `signals.SENSED`, for a class that has this method."""
         with in_words(self._name, "while being bound"):
             self._flown.bind_sensed(sensed)
-
-    def close(self) -> None:
-        """Close the user's object when the flight is over, if it has a method for it."""
-        closed(self._flown, self._name)
 
     def step(self, step: int) -> np.ndarray:
         """See `Controller.step`; raises BadInput, with the time, when the user's code fails."""
@@ -158,24 +171,15 @@ class AsItIs:
             return [(int(step), str(why)) for step, why in getattr(self._flown, "reasons", ())]
 
 
-class CustomController:
-    """Flies a user's `update`: gives it state and reference, checks the commands that it returns, and logs them.
-
-    Attributes:
-        senses: whether `update` has a parameter `sensed`; then it is given a `Sensed` besides.
-        outside: whether the user's object may hold something outside of this process.
-    """
+class CustomController(Adapted):
+    """Flies a user's `update`: gives it state and reference, a `Sensed` if it has a parameter `sensed`, checks the commands that it
+    returns, and logs them."""
 
     reasons: Sequence[tuple[int, str]] = ()
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
-        n = len(setup.actuators)
-        self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
-        self._flown, self._update, self._name = flown, flown.update, name
-        self.senses = "sensed" in parameters_of(flown.update)
-        self.outside = can_be_closed(flown)
-        self._log = CommandLog(setup)
-        self._spent_s = 0.0
+        super().__init__(setup, flown, name, "sensed" in parameters_of(flown.update))
+        self._update, self._log, self._spent_s = flown.update, CommandLog(setup), 0.0
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
@@ -184,10 +188,6 @@ class CustomController:
     def bind_sensed(self, sensed: np.ndarray) -> None:
         """Take the rows of `signals.SENSED`, with one record for each control step."""
         self._sensed = sensed
-
-    def close(self) -> None:
-        """Close the user's object when the flight is over, if it has a method for it."""
-        closed(self._flown, self._name)
 
     def step(self, step: int) -> np.ndarray:
         """Commands [n] for row `step`; raises BadInput, with the time, when the user's code fails."""
@@ -218,7 +218,7 @@ class CustomController:
             warnings.warn(words, stacklevel=2)
 
     def _write_telemetry(self, step: int, commands: np.ndarray, kept: Sequence[Any], time_s: float) -> None:
-        n, row = self._n, self._telemetry[step]
+        n, row = len(self._names), self._telemetry[step]
         self._log.write(row, commands, self._states[step])
         for i, (name, own) in enumerate(zip(_KEPT, kept, strict=True), 2):
             if own is not None:
@@ -260,18 +260,6 @@ class CommandLog:
         s.command[:] = commands
         advance_actuators(self._dt, axial_speed(state), self._model, s)
         row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
-
-
-def can_be_closed(flown: Any) -> bool:
-    """Whether a user's object has a method `close`, as one that holds a process or a connection should have."""
-    return callable(getattr(flown, "close", None))
-
-
-def closed(flown: Any, name: str) -> None:
-    """Call the method `close` of a user's object, if it has one."""
-    if can_be_closed(flown):
-        with in_words(name, "while being closed"):
-            flown.close()
 
 
 def parameters_of(function: Any) -> Collection[str]:
