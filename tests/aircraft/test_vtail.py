@@ -24,7 +24,7 @@ from testbed.common.angles import wrap
 from testbed.common.signals import STATE
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.controllers.inversion.degraded_aircraft import motion
-from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.inversion.steady_flights import jacobian
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, accelerations, trim

@@ -15,7 +15,7 @@ from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.aircraft.shape import load_shape
 from testbed.aircraft.shipped import data_root
 from testbed.controllers.inversion.degraded_aircraft import motion
-from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.inversion.steady_flights import jacobian
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.flight.flight import Outcome
 from testbed.plant.jsbsim import Plant

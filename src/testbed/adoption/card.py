@@ -14,7 +14,7 @@ from testbed.aircraft.design_model import DesignModel
 from testbed.common.signals import RATES
 from testbed.controllers.inversion.degraded_aircraft import motion
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.inversion.steady_flights import jacobian
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.controllers.released_axes import released_from_start
 from testbed.controllers.setup import own_axes, stops

@@ -75,11 +75,6 @@ class ControllerSettings(Settings):
         """The aircraft's control design as this controller uses it."""
         return control
 
-    @property
-    def linear(self) -> bool:
-        """Whether f_m is linear in the angle of attack, as the paper's; else the curve of the lift that leans forward is in it."""
-        return False
-
     def believed(self, model: DesignModel) -> DesignModel:
         """The aircraft's design model as this controller believes it."""
         return model.with_error(self.model_error)
@@ -161,11 +156,6 @@ class AdaptiveInversionSettings(ControllerSettings):
             return control
         without = {"slow_descent_s": 0.0, "lost_thrust_faster_m_s": 0.0}
         return control.model_copy(update={"loops": control.loops.model_copy(update=without)})
-
-    @property
-    def linear(self) -> bool:
-        """See `ControllerSettings.linear`."""
-        return self.preset == "paper"
 
     def believed(self, model: DesignModel) -> DesignModel:
         """The paper's model of an aircraft has no gyroscopic moments."""

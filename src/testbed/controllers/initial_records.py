@@ -18,25 +18,12 @@ from testbed.controllers.setup import Setup
 
 _DIVISOR_MIN = 0.1
 """Least estimate that a reference is divided by: adaptation multiplies no reference by more than ten."""
-_JAM_SIGMA = 4.0
-"""Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. Lost effectiveness with
-20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2 or above."""
-_JAM_TIME_S = 1.0
-"""[s] How long it must stay beyond that."""
-_JAM_PROCESS_NOISE = 0.2
-"""[scaled/sqrt(s)] A jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With
-1.0, gusts at 25 ft/s moved the estimated thrust by 2 units within a second."""
-_RESIDUAL_TIME_S = 1.0
-"""[s] Time constant of what the jam test compares: the means of the residual and of the model-error variance."""
 _LATE_NOISE = 0.1
-"""[1/sqrt(s)] Process noise of an actuator's lateness (`lateness.estimate_lateness`)."""
+"""[1/sqrt(s)] Process noise of an actuator's lateness (`estimator.estimate_lateness`)."""
 _GIVE_UP_TIME_S = 2.0
 """[s] Little of a gust passes, and airspeed is lost more slowly than this."""
 _SINK_TIME_S = 1.0
 """[s] Turbulence at low altitude changes within this; a thermal does not."""
-_CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3
-"""When a change of one effectiveness is expected (`estimator.expect_change`): the time over which innovations are averaged [s],
-the size of the change in its standard deviations, and how many times better than the next one it explains the average."""
 
 
 def model_record(setup: Setup) -> np.ndarray:
@@ -56,7 +43,8 @@ def model_record(setup: Setup) -> np.ndarray:
     m.bias[:] = np.array(model.bias)[:4] + offsets.sum(axis=1)
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.sideslip[:], m.gyroscopic[:] = model.sideslip[:4], model.gyroscopic
-    m.forward_curvature = 0.0 if setup.settings.linear else forward_curvature(model)
+    linear = isinstance(setup.settings, AdaptiveInversionSettings) and setup.settings.preset == "paper"
+    m.forward_curvature = 0.0 if linear else forward_curvature(model)
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     for i, propulsor in enumerate(model.propulsors):
         if isinstance(propulsor, Propulsor):
@@ -98,11 +86,8 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.noise[:] = [getattr(control.disturbance, rate) for rate in RATES]
     c.model_error_std[:] = [getattr(control.model_error_std, rate) for rate in RATES]
     c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
-    c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
-    c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
     paper = estimation is not None and estimation.preset == "paper"
     c.give_up_time, c.sink_time = (0.0, 0.0) if paper else (_GIVE_UP_TIME_S, _SINK_TIME_S)
-    c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
     return record

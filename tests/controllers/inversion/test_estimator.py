@@ -10,6 +10,7 @@ import pytest
 from vtail_setup import state
 
 from testbed.controllers.inversion.estimator import (
+    JAM_NOISE,
     JAM_VARIANCE,
     REVERSAL_NOISE,
     REVERSAL_S,
@@ -38,8 +39,8 @@ def the_same_draws_in_any_order() -> None:
 def records() -> tuple[Any, Any, Any]:
     """Settings, model and memory of an estimator with round numbers."""
     c, m, s = (np.zeros(1, dtype(N))[0] for dtype in (settings_dtype, model_dtype, memory_dtype))
-    c.dt, c.process_noise, c.model_error_rate, c.residual_time = 0.005, 0.1, 0.1, 1.0
-    c.jam_process_noise, c.lambda_min, c.lambda_max = 1.0, -10.0, 10.0
+    c.dt, c.process_noise, c.model_error_rate = 0.005, 0.1, 0.1
+    c.lambda_min, c.lambda_max = -10.0, 10.0
     c.noise[:] = [2.0, 0.5, 0.15, 0.08]
     m.low[:], m.high[:] = -3.0, 3.0
     s.lambda_hat[:], s.since_flag[:] = 1.0, math.inf
@@ -90,7 +91,7 @@ def test_without_a_measurement_uncertainty_grows_to_its_bound_and_the_models_err
     for _ in range(2000):
         predict(m, c, s)
     assert s.P[0, 0] == pytest.approx(0.01 + c.process_noise**2 * 10.0)
-    assert s.P[3, 3] == pytest.approx(0.01 + c.jam_process_noise**2 * 10.0)
+    assert s.P[3, 3] == pytest.approx(0.01 + JAM_NOISE**2 * 10.0)
     assert s.b == pytest.approx(np.full(4, math.exp(-1.0)), rel=1e-3)
     c.dt = 0.05
     for _ in range(20000):
@@ -104,12 +105,12 @@ def test_a_surface_just_found_jammed_may_be_anywhere_a_moment_later() -> None:
     """Until `REVERSAL_S`, and not a motor: what is reversed goes back with its command, within 0.1 s."""
     c, m, s = records()
     m.servo[:2], s.jammed[1:3], s.P[1, 1], s.P[2, 2] = 1, 1, 0.01, 0.01
-    for since, noise in ((0.9 * REVERSAL_S, REVERSAL_NOISE), (REVERSAL_S, c.jam_process_noise)):
+    for since, noise in ((0.9 * REVERSAL_S, REVERSAL_NOISE), (REVERSAL_S, JAM_NOISE)):
         s.since_flag[:] = since
         before = s.P[1, 1]
         predict(m, c, s)
         assert s.P[1, 1] - before == pytest.approx(noise**2 * c.dt)
-    assert s.P[2, 2] == pytest.approx(0.01 + 2.0 * c.jam_process_noise**2 * c.dt)
+    assert s.P[2, 2] == pytest.approx(0.01 + 2.0 * JAM_NOISE**2 * c.dt)
 
 
 def test_estimates_are_projected_and_a_jammed_position_onto_its_stops() -> None:
@@ -181,7 +182,6 @@ def test_model_error_variance_grows_with_the_terms_of_the_model() -> None:
 def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True) -> Any:
     """Memory some time after these changes of effectiveness; each actuator's column of Phi stands out in a row of its own."""
     c, m, s = records()
-    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
     s.model_error_variance[:] = 0.01
     phi = np.diag([24.0, 6.0, 2.0, 1.0]) @ (np.eye(4) + 0.2 * RNG.normal(size=(4, N)))
     true = np.ones(N)
@@ -213,7 +213,6 @@ def test_without_a_change_no_variance_grows() -> None:
 def test_what_two_actuators_explain_alike_is_blamed_on_neither() -> None:
     """Two equal columns: the residual is as likely the one's as the other's."""
     c, m, s = records()
-    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
     phi = np.ones((4, N))
     for _ in range(100):
         expect_change(np.full(4, 5.0), phi, m, c, s)
@@ -222,7 +221,7 @@ def test_what_two_actuators_explain_alike_is_blamed_on_neither() -> None:
 
 def test_what_two_explain_alike_is_blamed_on_the_one_that_is_jammed() -> None:
     c, m, s = records()
-    c.change_time, c.change_sigma, c.change_lead, s.jammed[2] = 0.3, 2.5, 1.3, 1
+    s.jammed[2] = 1
     for _ in range(100):
         expect_change(np.full(4, 5.0), np.ones((4, N)), m, c, s)
     assert s.P[2, 2] > 0.01 and s.P[0, 0] == s.P[1, 1] == s.P[3, 3] == 0.01
@@ -230,7 +229,6 @@ def test_what_two_explain_alike_is_blamed_on_the_one_that_is_jammed() -> None:
 
 def test_the_variance_of_a_change_is_its_square_up_to_a_bound() -> None:
     c, m, s = records()
-    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
     phi = 10.0 * np.eye(4)
     for _ in range(2000):
         expect_change(np.array([0.0, 4.0, 0.0, 0.0]), phi, m, c, s)

@@ -8,7 +8,12 @@ import numpy as np
 import pytest
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, REVERSAL_S
+from testbed.controllers.inversion.estimator import (
+    HEALTHY_VARIANCE,
+    JAM_VARIANCE,
+    RESIDUAL_TIME_S,
+    REVERSAL_S,
+)
 from testbed.controllers.inversion.jam_detection import (
     RECENT_FLAG_S,
     REDESIGN_AFTER,
@@ -21,6 +26,7 @@ from testbed.controllers.inversion.jam_detection import (
     likeliest_jam,
     take_for_jammed,
 )
+from testbed.controllers.inversion.offset_detection import JAM_S, JAM_SIGMA
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
 SETUP = vtail_setup(WEATHER)
@@ -46,10 +52,10 @@ def test_the_offset_of_each_actuator_is_found(actuator: int, pressure_ratio: flo
 
 
 def test_the_ratio_is_that_of_weighted_least_squares() -> None:
-    """(fit / its standard deviation)^2 of each actuator by numpy; the largest wins if it is beyond jam_sigma^2."""
+    """(fit / its standard deviation)^2 of each actuator by numpy; the largest wins if it is beyond `JAM_SIGMA`^2."""
     m, c, _, s, _ = records()
-    s.residual[:] = [0.9, -2.0, 0.8, 0.5]
-    variance = 0.5 * c.noise**2 / c.residual_time + s.model_error_variance
+    s.residual[:] = residual_of_a_test = np.array([0.9, -2.0, 0.8, 0.5])
+    variance = 0.5 * c.noise**2 / RESIDUAL_TIME_S + s.model_error_variance
     ratios = []
     for i in range(N):
         root = np.sqrt(variance)
@@ -58,7 +64,7 @@ def test_the_ratio_is_that_of_weighted_least_squares() -> None:
         ratios.append(fit[0] ** 2 * (column @ column))
     best = int(np.argmax(ratios))
     for factor, expected in ((1.001, -1), (0.999, best)):
-        c.jam_sigma = math.sqrt(ratios[best]) * factor
+        s.residual[:] = residual_of_a_test * JAM_SIGMA / (math.sqrt(ratios[best]) * factor)
         assert likeliest_jam(1.0, m, c, s)[0] == expected
 
 
@@ -68,11 +74,11 @@ def test_a_jam_is_flagged_after_its_time_and_not_before(i: int) -> None:
     m, c, _, s, _ = records()
     s.P[i, i] = 1.0
     e = 6.0 * np.array(m.B)[:, i]
-    time = c.jam_time if m.servo[i] else THRUST_JAM_S
+    time = JAM_S if m.servo[i] else THRUST_JAM_S
     steps = 0
     while not detect_jam(e, 1.0, m, c, s):
         steps += 1
-    assert time < steps * c.dt < time + 2.0 * c.jam_time
+    assert time < steps * c.dt < time + 2.0 * JAM_S
     assert np.flatnonzero(s.jammed).tolist() == [i] and np.flatnonzero(s.failed).tolist() == [i]
 
 
@@ -269,7 +275,7 @@ def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
     s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
     s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
     s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
-    steps = math.ceil(c.jam_time / c.dt)
+    steps = math.ceil(JAM_S / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()
     for _ in range(4):
         detect_jam(np.zeros(4), 1.0, m, c, s)

@@ -10,9 +10,9 @@ import pytest
 from command_line import ROOT
 from short_flights import worst_errors
 
-from testbed.controllers.inversion.lateness import (
+from testbed.controllers.inversion.estimator import (
     LATENESS_MAX,
-    VARIANCE_MAX,
+    LATENESS_VARIANCE_MAX,
     delay_regressor,
     estimate_lateness,
 )
@@ -84,7 +84,9 @@ def test_a_weak_actuator_is_not_called_late() -> None:
 
 def test_lateness_and_its_variance_are_bounded() -> None:
     s, _ = oscillation(0.45, 1.0, 5.0)
-    assert np.all((s.late >= 0.0) & (s.late <= LATENESS_MAX)) and np.all(s.late_variance <= VARIANCE_MAX)
+    assert np.all((s.late >= 0.0) & (s.late <= LATENESS_MAX)) and np.all(
+        s.late_variance <= LATENESS_VARIANCE_MAX
+    )
 
 
 @pytest.mark.parametrize("late", ["left_ruddervator", "left_ruddervator, right_ruddervator"])

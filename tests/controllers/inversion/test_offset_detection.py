@@ -17,6 +17,8 @@ from testbed.controllers.inversion.jam_detection import THRUST_JAM_S, detect_jam
 from testbed.controllers.inversion.law import compensate, measured_error, reach, regressor
 from testbed.controllers.inversion.offset_detection import (
     BEYOND_SIGMAS,
+    JAM_S,
+    JAM_SIGMA,
     expect_offset,
     follow_offsets,
     follows,
@@ -98,7 +100,7 @@ def test_a_known_offset_does_not_hide_the_jam_of_another() -> None:
     m, c, _, s, _ = made
     force = np.array(m.B)[:, 0] * s.offset[0] + 6.0 * np.array(m.B)[:, 3]
     s.lambda_hat[:] = 1.0
-    for _ in range(round((THRUST_JAM_S + 2.0 * c.jam_time) / c.dt)):
+    for _ in range(round((THRUST_JAM_S + 2.0 * JAM_S) / c.dt)):
         detect_jam(force, 1.0, m, c, s)
     assert s.jammed.tolist() == [0, 0, 0, 1]
 
@@ -142,7 +144,7 @@ def test_a_lost_surface_without_a_force_in_the_model_error_does_not_look_jammed(
 def test_a_larger_force_takes_less_time_to_be_believed() -> None:
     m, c, _, s, _ = records()
     column, (s.lambda_hat[0], s.P[0, 0]) = np.array(m.B)[:, 0], (0.0, 1e-4)
-    one = c.jam_sigma / np.sqrt(np.sum(column**2 / s.model_error_variance))
+    one = JAM_SIGMA / np.sqrt(np.sum(column**2 / s.model_error_variance))
     for size, time in ((0.99, 0.0), (2.0, c.persistence / 4.0), (-4.0, c.persistence / 16.0)):
         s.b[:] = size * one * column
         assert time_to_stand_still(0, 1.0, m, c, s) == pytest.approx(time)
@@ -306,7 +308,7 @@ def test_of_a_surface_that_has_moved_a_small_force_is_enough() -> None:
     for moved, estimate, time in (
         (0, -1.0, 0.0),
         (1, -1.0, c.persistence),
-        (1, 0.1, c.jam_time),
+        (1, 0.1, JAM_S),
         (1, 0.4, 0.0),
     ):
         s.moved[0], s.lambda_hat[0] = moved, estimate

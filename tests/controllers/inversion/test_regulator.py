@@ -19,11 +19,11 @@ from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_fligh
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.regulator import (
     design_regulator,
-    jacobian,
     linearise,
     lq_gains,
     regulator_for,
 )
+from testbed.controllers.inversion.steady_flights import jacobian
 from testbed.controllers.records import ALTITUDE
 
 SETUP = vtail_setup()

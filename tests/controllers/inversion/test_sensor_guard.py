@@ -31,6 +31,7 @@ def seen(made: Records, seconds: float, stuck: str = "", **state: float) -> tupl
         for name in GUARDED:
             if name != stuck:
                 raw[name] += 1e-6 * RNG.normal()
+        believed[0] = raw
         changes += guard(raw, setpoint(airspeed=MODEL.airspeed_m_s), believed[0], c, k, s)
     return believed[0], changes
 
@@ -68,6 +69,7 @@ def test_a_stuck_gyro_is_replaced_by_the_attitude() -> None:
         raw = trim_state(MODEL, roll=0.2 * c.dt * step, pitch=0.0, p=0.05)
         for name in GUARDED:
             raw[name] += 1e-6 * RNG.normal() * (name != "p")
+        believed[0] = raw
         guard(raw, setpoint(airspeed=MODEL.airspeed_m_s), believed[0], c, k, s)
     assert believed[0].p == pytest.approx(0.2, abs=1e-3)
 
@@ -113,7 +115,8 @@ def test_what_has_always_been_zero_is_not_stuck() -> None:
     believed, reference = np.zeros(1, record_dtype(STATE)), setpoint(airspeed=MODEL.airspeed_m_s)
     for p, stuck in ((0.0, 0), (1e-3, 0), (0.0, 1)):
         for _ in range(2 * GYRO_REPEATS if p == 0.0 else 1):
-            guard(trim_state(MODEL, p=p), reference, believed[0], c, k, s)
+            believed[0] = raw = trim_state(MODEL, p=p)
+            guard(raw, reference, believed[0], c, k, s)
         assert s.stuck[GUARDED.index("p")] == stuck
 
 

@@ -4,8 +4,7 @@
 
 * `sensor_guard`: what stuck sensors do not say;
 * `law`: the paper's equations;
-* `lateness`: actuators that act late are not weak;
-* `estimator`: weighted estimation, a Kalman filter, in place of the paper's (13);
+* `estimator`: weighted estimation, Kalman filters, in place of the paper's (13), and for actuators that act late;
 * `loss_detection`: the paper's monitor, and what the default law asks beyond it;
 * `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
 * `probing`: whether what is given up works again;

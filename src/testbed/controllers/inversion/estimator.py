@@ -1,10 +1,14 @@
-"""Weighted estimation, for weather and real sensors: a Kalman filter for effectiveness and for the model's error.
+"""Weighted estimation, for weather and real sensors: Kalman filters for effectiveness and the model's error, and for lateness.
 
 The regression (10) is z = Phi lambda + b + noise, four scalar measurements a step. The states are lambda, a random walk,
 and b, the model error: what f_m and B_m leave out of each rate. b is a first-order Gauss-Markov process with correlation time
 1 / `model_error_rate` and the variance of `update_model_error_variance`. Without b, a model error would be taken for lost
 effectiveness, most of all for an actuator that is hardly deflected. The noise is the disturbance of each rate by gusts, so the
 rates that gusts disturb most have the least weight. A small position has little weight by itself, so no epsilon is needed.
+
+Lateness is how much later an actuator acts than its model says. One that oscillates and acts late seems to be weak: the part of its
+effect that is in phase with its model is smaller (a delay T at the frequency w leaves cos wT). Dividing its reference by so low an
+estimate raises the gain of a loop that has lost phase already.
 
 Letters: those of `records`.
 """
@@ -13,7 +17,7 @@ Letters: those of `records`.
 from __future__ import annotations
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.law import beyond_tangent
+from testbed.controllers.inversion.law import beyond_tangent, low_pass
 from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
@@ -25,14 +29,29 @@ UNKNOWN_VARIANCE = 1.0
 JAM_MOVES_FACTOR = 4.0
 """Factor on the test value of a change of a jammed actuator's position: that a broken actuator moves is likelier than that a
 healthy one breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
-JAM_VARIANCE = 16.0
-"""Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
+JAM_VARIANCE, JAM_NOISE = 16.0, 0.2
+"""Initial and largest variance of a jammed actuator's estimated position [scaled^2], and its process noise [scaled/sqrt(s)]. A
+jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With 1.0, gusts at 25 ft/s moved
+the estimated thrust by 2 units within a second."""
+RESIDUAL_TIME_S = 1.0
+"""Time constant of what the jam test compares: the means of the residual and of the model-error variance [s]."""
+CHANGE_TIME_S, CHANGE_SIGMA, CHANGE_LEAD = 0.3, 2.5, 1.3
+"""When a change of one effectiveness is expected (`expect_change`): the time over which innovations are averaged [s], the size of
+the change in its standard deviations, and how many times better than the next one it explains the average."""
 REVERSAL_S = 0.6
 """How long after an actuator was taken for jammed it may turn out to be reversed [s]. Its command goes to the trim position at
 once, so the estimate shows where its force goes within this time."""
 REVERSAL_NOISE = 5.0
 """Process noise of a surface's position in that time [scaled/sqrt(s)]: what is reversed goes back with its command within 0.1 s.
 With the noise of a jam the estimate was 0.2 s late."""
+
+LATENESS_MAX = 5.0
+"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown. There the all-pass already lacks phase at
+the frequency of the oscillations that a delay causes."""
+LATENESS_MIN = 1e-3
+"""Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
+LATENESS_VARIANCE_MAX = 0.05
+"""Largest variance of a lateness [1/w_f^2]. Were it larger, a sudden loss would at first be taken for a delay."""
 
 
 @compiled
@@ -41,7 +60,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     deviation `coefficient_error`.
 
     The model is most accurate at its own trim, so each term of f_m and of Phi lambda enters by its difference from the trim.
-    The variance is at least `model_error_std`^2, and is averaged over `residual_time`.
+    The variance is at least `model_error_std`^2, and is averaged over `RESIDUAL_TIME_S`.
     """
     speed = y.airspeed / m.airspeed
     for i in range(4):
@@ -56,7 +75,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
             squares += change * change
         floor = c.model_error_std[i] * c.model_error_std[i]
         variance = floor + c.coefficient_error * c.coefficient_error * squares + unseen(i, m, s)
-        s.model_error_variance[i] += c.dt / c.residual_time * (variance - s.model_error_variance[i])
+        s.model_error_variance[i] += c.dt / RESIDUAL_TIME_S * (variance - s.model_error_variance[i])
 
 
 @compiled
@@ -64,22 +83,22 @@ def expect_change(e, phi, m, c, s):
     """Give the effectiveness that has just changed the variance of that change, so that the filter follows it at once.
 
     A random walk follows a sudden loss slowly, and spreads it over all actuators meanwhile. So the mean of the innovation e - b
-    over the last `change_time` T is explained by a change of each effectiveness alone, by weighted least squares. The weight of a
+    over the last `CHANGE_TIME_S` T is explained by a change of each effectiveness alone, by weighted least squares. The weight of a
     rate is one over the variance of its mean: gusts of two-sided density S leave S / 2T, and b adds its own. The test value is
     (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `JAM_MOVES_FACTOR` for a jammed
-    actuator. If the best is above `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes
+    actuator. If the best is above `CHANGE_SIGMA`^2, and `CHANGE_LEAD`^2 times the next best, the variance of that estimate becomes
     at least the square of the change. If no effectiveness explains the change, that variance goes to the model error along the
     actuator's column of Phi.
     """
     for row in range(4):  # the mean of the innovation e - b
-        s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])
+        s.recent[row] += c.dt / CHANGE_TIME_S * (e[row] - s.b[row] - s.recent[row])
     best, first, second, change = -1, 0.0, 0.0, 0.0
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 1e-12
         n = len(s.lambda_hat)
         for row in range(4):
             # One over the variance of the mean: S / 2T of gusts, and that of b.
-            weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / c.change_time + s.P[n + row, n + row])
+            weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / CHANGE_TIME_S + s.P[n + row, n + row])
             projection += phi[row, i] * weight * s.recent[row]
             information += phi[row, i] * weight * phi[row, i]
         ratio = projection * projection / information
@@ -89,7 +108,7 @@ def expect_change(e, phi, m, c, s):
             best, first, second, change = i, ratio, first, projection / information
         elif ratio > second:
             second = ratio
-    if first > c.change_sigma * c.change_sigma and first > c.change_lead * c.change_lead * second:
+    if first > CHANGE_SIGMA * CHANGE_SIGMA and first > CHANGE_LEAD * CHANGE_LEAD * second:
         if no_effectiveness(best, s.lambda_hat[best] + change, m, c, s):
             expect_offset(best, change, phi, m, s)
         else:
@@ -111,7 +130,7 @@ def predict(m, c, s):
     """Time update: P grows by the process noise of lambda, up to a limit, and the model error b decays towards zero."""
     n = len(s.lambda_hat)
     for i in range(n):
-        noise = c.jam_process_noise if s.jammed[i] else c.process_noise
+        noise = JAM_NOISE if s.jammed[i] else c.process_noise
         if s.jammed[i] and m.servo[i] and s.since_flag[i] < REVERSAL_S:
             noise = REVERSAL_NOISE
         # A limit, because what is not excited would become as uncertain as the time is long.
@@ -178,3 +197,48 @@ def forget_model_error(s):
     for row in range(4):
         s.b[row] = 0.0
         reset_covariance(len(s.lambda_hat) + row, s.model_error_variance[row], s)
+
+
+@compiled
+def delay_regressor(phi, c, s, w):
+    """Delay the regressor Phi [4, n], the output of the second lag, by the estimated lateness of each actuator.
+
+    Lateness l is the delay in time constants 1/w_f of the regression's two equal lags, whose outputs are phi_1 and phi_2. Because
+    phi_2' = w_f (phi_1 - phi_2), the rate of phi_2 is known without differentiating. A delay l / w_f is approximated by the
+    all-pass with the same delay (Pade's approximation of first order),
+
+        (1 - l s / 2 w_f) / (1 + l s / 2 w_f) = 1 - l (s / w_f) / (1 + l s / 2 w_f).
+
+    So the effect of a late actuator is phi_2 - l rho, where rho is phi_1 - phi_2 through a lag of l/2 time constants. An all-pass
+    leaves its size as it is at every frequency. The first term of the series alone, phi_2 - l (phi_1 - phi_2), grows with
+    frequency, and a late surface that oscillated seemed weak all the same.
+    """
+    step = 2.0 * c.filter_rate * c.dt  # of a lag of l/2 time constants, times l
+    for j in range(len(s.late)):
+        for i in range(4):
+            w.rate[i] = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
+        low_pass(w.rate, s.late_rate[j], step / max(s.late[j], LATENESS_MIN))
+        for i in range(4):
+            phi[i, j] -= s.late[j] * s.late_rate[j, 0, i]
+
+
+@compiled
+def estimate_lateness(e, c, s):
+    """Update lateness and its variance for each actuator that works, by the error e [4] of (10) in this step.
+
+    Each l is a random walk, estimated by a Kalman filter of one state from the innovation e - b of the four rates, one after the
+    other. The derivative of the effect by l is minus rho through one more such lag.
+    """
+    n = len(s.late)
+    for j in range(n):
+        s.late_variance[j] += c.late_noise * c.late_noise * c.dt
+        if s.jammed[j] or s.failed[j]:
+            continue
+        for i in range(4):
+            h = -s.lambda_hat[j] * s.late_rate[j, 1, i]
+            noise = c.noise[i] * c.noise[i] / c.dt + s.P[n + i, n + i]
+            gain = s.late_variance[j] * h / (h * h * s.late_variance[j] + noise)
+            s.late[j] += gain * (e[i] - s.b[i])
+            s.late_variance[j] -= gain * h * s.late_variance[j]
+        s.late[j] = min(max(s.late[j], 0.0), LATENESS_MAX)
+        s.late_variance[j] = min(s.late_variance[j], LATENESS_VARIANCE_MAX)

@@ -14,12 +14,15 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import (
     HEALTHY_VARIANCE,
     JAM_VARIANCE,
+    RESIDUAL_TIME_S,
     REVERSAL_S,
     forget_model_error,
     reset_covariance,
 )
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
 from testbed.controllers.inversion.offset_detection import (
+    JAM_S,
+    JAM_SIGMA,
     deviation,
     follow_offsets,
     follows,
@@ -48,7 +51,7 @@ ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
 THRUST_JAM_S = 3.0
-"""How long a motor or engine must be the `likeliest_jam`, in place of `jam_time` [s]. Stuck thrust does harm more slowly than a
+"""How long a motor or engine must be the `likeliest_jam`, in place of `JAM_S` [s]. Stuck thrust does harm more slowly than a
 stuck surface, and gusts look like it for a second or two."""
 ROUGH_S = 0.05
 """How long the position of a jam is a rough estimate [s], from which no way is measured."""
@@ -65,7 +68,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
     An actuator is taken for jammed
 
-    * when it has been the `likeliest_jam` for `jam_time`, a motor or engine for `THRUST_JAM_S`. The timer runs down while it is
+    * when it has been the `likeliest_jam` for `JAM_S`, a motor or engine for `THRUST_JAM_S`. The timer runs down while it is
       not. A surface that `follows` its command has an offset instead; one that has `moved` is decided by `time_to_stand_still`;
     * when a surface has stood still under its commands for the `time_to_stand_still`;
     * when it looks jammed in another way for the `time_to_jam`.
@@ -73,7 +76,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     follow_offsets(pressure_ratio, m, c, s)
     for row in range(4):
         new = e[row] - force_of_offsets(row, pressure_ratio, m, s)
-        s.residual[row] += c.dt / c.residual_time * (new - s.residual[row])
+        s.residual[row] += c.dt / RESIDUAL_TIME_S * (new - s.residual[row])
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -83,7 +86,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
-        explained = s.jam_timer[i] > (c.jam_time if m.servo[i] else THRUST_JAM_S)
+        explained = s.jam_timer[i] > (JAM_S if m.servo[i] else THRUST_JAM_S)
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
@@ -128,7 +131,7 @@ def time_to_jam(i, pressure_ratio, m, c, s):
     if backwards or (own_force and not m.engine[i]):
         return c.persistence
     if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
-        return ENGINE_S if m.engine[i] and c.probes else c.jam_time
+        return ENGINE_S if m.engine[i] and c.probes else JAM_S
     return 0.0
 
 
@@ -238,14 +241,14 @@ def likeliest_jam(pressure_ratio, m, c, s):
     test value is (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
 
     Returns:
-        Index of the actuator with the largest test value, if that is above `jam_sigma`^2, or -1; and its offset [scaled].
+        Index of the actuator with the largest test value, if that is above `JAM_SIGMA`^2, or -1; and its offset [scaled].
     """
-    likeliest, largest, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
+    likeliest, largest, offset = -1, JAM_SIGMA * JAM_SIGMA, 0.0
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 0.0
         for row in range(4):
             b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)  # of (2): the signature of this actuator
-            gusts = 0.5 * c.noise[row] * c.noise[row] / c.residual_time
+            gusts = 0.5 * c.noise[row] * c.noise[row] / RESIDUAL_TIME_S
             weight = 1.0 / (gusts + s.model_error_variance[row])
             projection += b * weight * s.residual[row]
             information += b * weight * b

@@ -202,9 +202,8 @@ class ModeSwitch:
         k.x_trim[:], k.r_trim[:], k.trim_effect[:] = 0.0, 0.0, 0.0  # of the trim in which the flight began
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
         if regulator is not None:
-            k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
-            k.trim_effect[:] = regulator.trim_effect
-            k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
+            for name in ("x_trim", "r_trim", "trim_effect", "K", "K_actuator", "K_integral"):
+                k[name] = getattr(regulator, name)
             self._choose_airspeed(regulator, failed)
 
     def _choose_airspeed(self, regulator: Regulator, failed: tuple[int, ...]) -> None:

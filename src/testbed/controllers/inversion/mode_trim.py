@@ -234,36 +234,34 @@ def _fastest(flights: SteadyFlight) -> np.ndarray:
     return flights.state[:, AIRSPEED]
 
 
+def _by_margin(degraded: DegradedAircraft, enough: float, worth: Preference) -> Preference:
+    """Most margin up to `enough`, and what else is `worth` margin."""
+    return lambda flights: np.minimum(margins(degraded, flights), enough) + worth(flights)
+
+
 def _roomiest(degraded: DegradedAircraft, wanted: float) -> Preference:
-    """Most margin up to `_MARGIN_ENOUGH`, but not far from the airspeed that is wanted, nor for a steep path."""
+    """Most margin, but not far from the airspeed that is wanted, nor for a steep path."""
 
-    def preference(flights: SteadyFlight) -> np.ndarray:
+    def worth(flights: SteadyFlight) -> np.ndarray:
         change = np.abs(flights.state[:, AIRSPEED] - wanted) / degraded.model.airspeed_m_s
-        cost = _MARGIN_FOR_AIRSPEED * change + _MARGIN_FOR_SLOPE * np.abs(path_angles(flights))
-        preferred: np.ndarray = np.minimum(margins(degraded, flights), _MARGIN_ENOUGH) - cost
-        return preferred
+        return -(_MARGIN_FOR_AIRSPEED * change + _MARGIN_FOR_SLOPE * np.abs(path_angles(flights)))
 
-    return preference
+    return _by_margin(degraded, _MARGIN_ENOUGH, worth)
 
 
 def _shallowest(degraded: DegradedAircraft) -> Preference:
-    """Most margin up to `_MARGIN_OF_A_GLIDE`, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
-    return lambda flights: (
-        np.minimum(margins(degraded, flights), _MARGIN_OF_A_GLIDE) + _MARGIN_FOR_SLOPE * path_angles(flights)
-    )
+    """Most margin, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
+    return _by_margin(degraded, _MARGIN_OF_A_GLIDE, lambda flights: _MARGIN_FOR_SLOPE * path_angles(flights))
 
 
 def _slowest_descent(degraded: DegradedAircraft) -> Preference:
-    """Most margin up to `_MARGIN_ENOUGH`, but not for a fast descent, at any airspeed."""
+    """Most margin, but not for a fast descent, at any airspeed."""
 
-    def preference(flights: SteadyFlight) -> np.ndarray:
+    def worth(flights: SteadyFlight) -> np.ndarray:
         climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / degraded.model.airspeed_m_s
-        preferred: np.ndarray = (
-            np.minimum(margins(degraded, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * climb
-        )
-        return preferred
+        return _MARGIN_FOR_SLOPE * climb
 
-    return preference
+    return _by_margin(degraded, _MARGIN_ENOUGH, worth)
 
 
 def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:

@@ -22,6 +22,10 @@ from testbed.controllers.inversion.law import effect_ratio
 
 DECISION_THRESHOLD = 0.5
 """Effectiveness half-way between the hypotheses jammed, 0, and follows, 1."""
+JAM_SIGMA, JAM_S = 4.0, 1.0
+"""Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed, and how long it must stay
+beyond that [s]. Lost effectiveness with 20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2
+or above."""
 BEYOND_SIGMAS = 3.0
 """Standard deviations of the estimate at which a hypothesis is rejected."""
 
@@ -66,22 +70,22 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 
     Effectiveness 1 must be out of question, and one of these hold:
 
-    * the force in the model error is beyond `jam_sigma` standard deviations: `persistence` at that force, and less as one over the
+    * the force in the model error is beyond `JAM_SIGMA` standard deviations: `persistence` at that force, and less as one over the
       square of a larger one, since a hardover leaves no time;
-    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `jam_time` if it may be 0.
+    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `JAM_S` if it may be 0.
     """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
     if s.lambda_hat[i] >= min(DECISION_THRESHOLD, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
         return 0.0
     offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    beyond = abs(offset) / (sigma * c.jam_sigma)
+    beyond = abs(offset) / (sigma * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
     sure = BEYOND_SIGMAS * deviation(i, s)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > sure:
         return 0.0
-    return c.persistence if s.lambda_hat[i] < -sure else c.jam_time
+    return c.persistence if s.lambda_hat[i] < -sure else JAM_S
 
 
 @compiled

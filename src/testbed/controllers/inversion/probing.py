@@ -86,7 +86,7 @@ def follow_probe(i, e, pressure_ratio, m, c, s):
         information += column * column
     amplitude = math.sqrt(2.0 / (information * memory)) / DEVIATION
     s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S))
-    position = filtered_position_of(i, pressure_ratio, m, c, s)
+    position = filtered_position_of(i, c, s)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
     moved, fade = position - s.probe_mean[i], c.dt / memory
     product = 0.0
@@ -108,7 +108,7 @@ def unexplained(i, row, e, position, pressure_ratio, m, c, s):
 
 
 @compiled
-def filtered_position_of(i, pressure_ratio, m, c, s):
+def filtered_position_of(i, c, s):
     """Modelled position of an actuator that is given up [scaled], through the two lags of the regression."""
     a = c.filter_rate * c.dt
     gain = 1.0 - math.exp(-a) if a > 0.0 else 1.0

@@ -8,7 +8,7 @@ does not cancel f_m.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,13 +26,12 @@ from testbed.controllers.inversion.mode_trim import (
     steady_flight,
 )
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.inversion.steady_flights import SteadyFlight
+from testbed.controllers.inversion.steady_flights import SteadyFlight, jacobian
 from testbed.controllers.records import AIRSPEED, ALTITUDE, INTEGRALS, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 
 _JAM_STEPS = 10
 """Steps in a scaled unit to which a jammed actuator's position is rounded for its design; the integrals make up for the rest."""
-_STEP = 1e-6  # of the central differences in `jacobian`, in the unit of each state or scaled position
 
 
 @dataclass(frozen=True)
@@ -177,16 +176,6 @@ def linearise(
 
     z0 = np.concatenate([x0, a0, np.zeros(len(held))])
     return jacobian(lambda z: plant(z, a0), z0), jacobian(lambda r: plant(z0, r), a0)
-
-
-def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
-    """[m, n] derivatives of a function with m values, at x [n], by central differences."""
-    columns = []
-    for i in range(len(x)):
-        step = np.zeros(len(x))
-        step[i] = _STEP
-        columns.append((function(x + step) - function(x - step)) / (2.0 * _STEP))
-    return np.array(columns).T
 
 
 def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -45,8 +45,7 @@ wrap = compiled(angles.wrap)
 
 @compiled
 def guard(raw, ref, y, c, k, s):
-    """Fill the believed state y from the raw one; returns 1 when a sensor is taken for stuck, or lives again."""
-    copy(raw, y)
+    """Replace what a copy y of the raw state has from stuck sensors; returns 1 when one is taken for stuck, or lives again."""
     changed = watch(raw, c, s)
     attitude_rates(raw, c, s)
     if s.stuck[G_AIRSPEED] or raw.airspeed < LEAST_SHARE * s.inertial_airspeed:
@@ -67,21 +66,6 @@ def guard(raw, ref, y, c, k, s):
     if s.stuck[G_R]:
         y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
     return changed
-
-
-@compiled
-def copy(raw, y):
-    """Fill y with the measured state."""
-    y.north, y.east, y.altitude, y.airspeed, y.climb_rate = (
-        raw.north,
-        raw.east,
-        raw.altitude,
-        raw.airspeed,
-        raw.climb_rate,
-    )
-    y.roll, y.pitch, y.heading, y.alpha, y.beta = raw.roll, raw.pitch, raw.heading, raw.alpha, raw.beta
-    y.p, y.q, y.r = raw.p, raw.q, raw.r
-    y.p_dot, y.q_dot, y.r_dot, y.u_dot = raw.p_dot, raw.q_dot, raw.r_dot, raw.u_dot
 
 
 @compiled

@@ -19,7 +19,7 @@ from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_
 _ANGLE, _SPEED = 0.2, 3.0  # rad and m/s that count as one scaled position
 _ITERATIONS = 12
 _LARGEST_STEP = 1.0  # of an unknown in one iteration, in its unit
-_DIFFERENCE = 1e-6  # of the central differences, in each unknown's unit
+_DIFFERENCE = 1e-6  # of the central differences, in the unit of each unknown, state or scaled position
 _RESIDUAL_MAX = 1e-7  # largest rate that may remain [rad/s2, m/s2, m/s]
 _DAMPING = 1e-10  # of the Gauss-Newton steps, so that too few actuators are no error
 
@@ -90,20 +90,24 @@ def _solved(
 def gauss_newton(residuals: Callable[[np.ndarray], np.ndarray], z: np.ndarray) -> np.ndarray:
     """[m, k] zeros of m independent problems: `residuals` maps [m, k] to [m, e]; from first guesses z, by steps of least norm."""
     for _ in range(_ITERATIONS):
-        r, columns = residuals(z), []
+        r = residuals(z)
         if np.abs(r).max() < 0.01 * _RESIDUAL_MAX:
             break
-        for i in range(z.shape[1]):
-            step = np.zeros(z.shape[1])
-            step[i] = _DIFFERENCE
-            columns.append((residuals(z + step) - residuals(z - step)) / (2.0 * _DIFFERENCE))
-        J = np.stack(columns, axis=-1)
+        J = np.ascontiguousarray(jacobian(residuals, z))
         JT = J.transpose(0, 2, 1)
         gram = J @ JT + _DAMPING * np.eye(r.shape[1])
         step = (JT @ np.linalg.solve(gram, r[..., None]))[..., 0]
         largest = np.abs(step).max(axis=1, keepdims=True)
         z = z - step * np.minimum(1.0, _LARGEST_STEP / np.maximum(largest, 1e-12))
     return z
+
+
+def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
+    """[..., m, n] derivatives of a function with values [..., m], at x [..., n], by central differences."""
+    columns = []
+    for step in _DIFFERENCE * np.eye(x.shape[-1]):
+        columns.append((function(x + step) - function(x - step)) / (2.0 * _DIFFERENCE))
+    return np.moveaxis(np.array(columns), 0, -1)
 
 
 def path_angles(flights: SteadyFlight) -> np.ndarray:

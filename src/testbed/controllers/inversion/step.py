@@ -10,9 +10,14 @@ from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_diagnosis, write_guard, write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
-from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
+from testbed.controllers.inversion.estimator import (
+    adapt_weighted,
+    delay_regressor,
+    estimate_lateness,
+    expect_change,
+    update_model_error_variance,
+)
 from testbed.controllers.inversion.jam_detection import detect_jam, wait
-from testbed.controllers.inversion.lateness import delay_regressor, estimate_lateness
 from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
@@ -48,6 +53,7 @@ def adaptive_step(step, parts):
     k, s, w = modes[0], memories[0], works[0]
     changed = 0
     if c.guards:
+        believed[0] = y
         y = believed[0]
         changed = guard(states[step], ref, y, c, k, s)
         write_guard(telemetry[step], s)

@@ -18,6 +18,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, forget_model_error, reset_covariance
 from testbed.controllers.inversion.jam_detection import filtered_position, settle_regression
 from testbed.controllers.inversion.law import effect_ratio, largest
+from testbed.controllers.inversion.offset_detection import JAM_SIGMA
 
 FORCE_TIME_S = 0.15
 """Time constant of the mean of a given-up actuator's force [s]: gusts at 25 ft/s leave 0.02 scaled units of a ruddervator."""
@@ -94,8 +95,8 @@ def way_back(i, s):
 @compiled
 def turned(i, sigma, m, c, s):
     """Whether the mean force of a given-up actuator has turned: it has come back by more than gusts, the model error or its own
-    effectiveness at the trim position explain. The amplitude, half of the way, must be `jam_sigma` standard deviations."""
-    return way_back(i, s) > max(2.0 * c.jam_sigma * sigma, c.lambda_max * abs(m.trim_position[i]))
+    effectiveness at the trim position explain. The amplitude, half of the way, must be `JAM_SIGMA` standard deviations."""
+    return way_back(i, s) > max(2.0 * JAM_SIGMA * sigma, c.lambda_max * abs(m.trim_position[i]))
 
 
 @compiled
