@@ -146,8 +146,7 @@ def finish(
 def _write_pages(plan: MatrixPlan, found: Mapping[str, Any], folder: Path) -> None:
     for one in found["cells"]:
         if one["run"] is not None:
-            number = one["run"] * len(plan.variants) + plan.labels.index(one["controller"])
-            log = log_file(folder, plan, number)
+            log = log_file(folder, one["run"], plan.variant_of(one["controller"]))
             flight = logs.read(log) if log.is_file() else None
             if flight is not None and flight.actuators:
                 write_kept_page(flight, log)

@@ -129,7 +129,7 @@ def finish(
         from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
 
         attempt("the figures", lambda: draw_sweep(plan, frame, folder))
-        attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
+        attempt("the pages of the worst flights", lambda: _write_worst_pages(found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
 
@@ -148,11 +148,11 @@ def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test
     return tests_of_sweep(plan, reading.load(folder), folder)
 
 
-def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
+def _write_worst_pages(found: dict[str, Any], folder: Path) -> None:
     """Write the pages of the worst flights of each variant, those whose logs were kept."""
-    for i, variant in enumerate(found["variants"]):
+    for variant in found["variants"]:
         for worst in variant["worst"][:WORST_PAGES]:
-            log = log_file(folder, plan, worst["run"] * len(plan.variants) + i)
+            log = log_file(folder, worst["run"], variant["label"])
             flight = logs.read(log) if log.is_file() else None
             if flight is not None and flight.actuators:  # one made by a function of the user's may have none
                 write_kept_page(flight, log)
@@ -228,7 +228,7 @@ def fly_run(
         folder.mkdir(parents=True)
         table.write(plan, lambda: records, folder)
     for which, flight in flights.items():
-        name = flight_label(plan, run * len(plan.variants) + which)
+        name = flight_label(run, plan.variants[which].label)
         add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, folder if variant is not None else folder / name, add)
     return all(record.passed for record in records), list(flights.values())

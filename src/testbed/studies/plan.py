@@ -78,13 +78,9 @@ class Plan:
             run, variant, sampling.hashed(self.study.seed, "run", run) if seed is None else seed, values
         )
 
-    def number(self, task: Task) -> int:
-        """The number of a flight."""
-        return task.run * len(self.variants) + task.variant
-
     def key(self, task: Task) -> bytes:
         """The key by which a flight is stored, in whose order the table has the flights."""
-        return key_of(self.number(task))
+        return key_of(task.run * len(self.variants) + task.variant)
 
     def draw(self, run: int) -> Mapping[str, Any]:
         """Values drawn for a run, by dotted paths: a pure function of (study, seed, run)."""

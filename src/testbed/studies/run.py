@@ -111,7 +111,8 @@ class Flights:
             if not self.count:
                 remove_results(folder)  # which are those of fewer flights
             if flown.log:
-                write(log_file(folder, self.plan, self.plan.number(task)), flown.log, within=folder)
+                label = self.plan.variants[task.variant].label
+                write(log_file(folder, task.run, label), flown.log, within=folder)
             self.store.add(key(task), flown.record, flown.history if self.plan.histories else b"")
             self.count, self._ended = self.count + 1, time.perf_counter()
             self._flown_s += max(0.0, flown.record.end_time_s)  # NaN without a result

@@ -71,9 +71,8 @@ def _cell(plan: MatrixPlan, cell: Cell, folder: Path) -> Html:
     """What came of a cell in a word, which opens: why, its flight, and the command that flies it again."""
     if cell["run"] is None:
         return tag("span", "-", title=cell["why"])
-    number = cell["run"] * len(plan.variants) + plan.labels.index(cell["controller"])
-    page = f"{FOLDER}/{flight_label(plan, number)}.html"
-    variant = in_file_names(plan.variants[number % len(plan.variants)].label)
+    variant = plan.variant_of(cell["controller"])
+    page = f"{FOLDER}/{flight_label(cell['run'], variant)}.html"
     against = "" if cell["against"] == "as expected" else f" ({cell['against']})"
     return tag(
         "details",
@@ -84,5 +83,5 @@ def _cell(plan: MatrixPlan, cell: Cell, folder: Path) -> Html:
         ),
         tag("p", cell["why"] or f"{cell['held']} of {cell['flights']} held"),
         tag("p", html.link("the flight", page)) if (folder / page).is_file() else None,
-        tag("pre", only(cell["run"], variant, "matrix.yaml")),
+        tag("pre", only(cell["run"], in_file_names(variant), "matrix.yaml")),
     )

@@ -29,7 +29,7 @@ def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Te
             yield Test(name, skipped=said_of(plan, row))
             continue
         failure = "" if row["passed"] else said_of(plan, row) or "not passed"
-        yield Test(name, failure, _text(plan, k, folder) if failure else "")
+        yield Test(name, failure, _text(plan, row["run"], label, folder) if failure else "")
 
 
 def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterator[Test]:
@@ -45,7 +45,8 @@ def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) 
         name = ", ".join(filter(None, about))
         if cell["against"] != "as expected":
             said = f"{cell['result']}, expected {cell['expected']}: {cell['why'] or 'better'}"
-            yield Test(name, said, "" if cell["run"] is None else _text(plan, _number(plan, cell), folder))
+            label = plan.variant_of(cell["controller"])
+            yield Test(name, said, "" if cell["run"] is None else _text(plan, cell["run"], label, folder))
         else:
             yield Test(name, skipped=cell["why"] if cell["run"] is None else "")
 
@@ -69,17 +70,10 @@ def _drawn(row: Mapping[Any, Any]) -> str:
     return f"{row['aircraft']}, {row['truth']}: {about}.\nWorst: {worst}; {inside}."
 
 
-def _number(plan: MatrixPlan, cell: Mapping[str, Any]) -> int:
-    """The number of a cell's worst flight."""
-    return int(cell["run"]) * len(plan.variants) + plan.labels.index(cell["controller"])
-
-
-def _text(plan: Plan, k: int, folder: Path) -> str:
-    """The story of flight k, if its log was kept, and the command that flies it again."""
-    run, variant = divmod(k, len(plan.variants))
-    word = plan.study.word
-    again = only(run, in_file_names(plan.variants[variant].label), str(folder / f"{word}.yaml"))
-    log = log_file(folder, plan, k)
+def _text(plan: Plan, run: int, label: str, folder: Path) -> str:
+    """The story of a flight, if its log was kept, and the command that flies it again."""
+    again = only(run, in_file_names(label), str(folder / f"{plan.study.word}.yaml"))
+    log = log_file(folder, run, label)
     flight = logs.read(log) if log.is_file() else None
     told = story(flight) if flight is not None and flight.actuators else []
     return "\n".join([*told, again])

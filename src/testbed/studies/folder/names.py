@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import Source, describe
-
-if TYPE_CHECKING:  # it needs scipy.stats, which takes half of the time in which a worker starts
-    from testbed.studies.plan import Plan
 
 
 def file_of(folder: Path) -> Path:
@@ -34,16 +30,14 @@ def runs_in(source: Source) -> int:
     return runs
 
 
-def flight_label(plan: Plan, k: int) -> str:
-    """Flight k in file names: `run-000012-adaptive_inversion`."""
-    run, variant = divmod(k, len(plan.variants))
-    label = in_file_names(plan.variants[variant].label)
-    return f"run-{run:06d}" + (f"-{label}" if label else "")
+def flight_label(run: int, variant: str) -> str:
+    """The flight of a run and the label of its variant in file names: `run-000012-adaptive_inversion`."""
+    return f"run-{run:06d}" + (f"-{in_file_names(variant)}" if variant else "")
 
 
-def log_file(folder: Path, plan: Plan, k: int) -> Path:
-    """Where the log of flight k is kept."""
-    return folder / "logs" / f"{flight_label(plan, k)}.parquet"
+def log_file(folder: Path, run: int, variant: str) -> Path:
+    """Where the log of a flight is kept."""
+    return folder / "logs" / f"{flight_label(run, variant)}.parquet"
 
 
 def in_file_names(label: str) -> str:

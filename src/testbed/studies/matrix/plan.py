@@ -27,6 +27,10 @@ class MatrixPlan(Plan):
         alone = str((self.builder.base.tree.get("controller") or {}).get("type", "adaptive_inversion"))
         return [variant.label or alone for variant in self.variants]
 
+    def variant_of(self, controller: str) -> str:
+        """The label of the variant that this controller flies: empty where nothing is compared."""
+        return self.variants[self.labels.index(controller)].label
+
     def expected(self, cell: Cell, label: str) -> Result:
         """What the baseline says of a cell that this controller flies; else that it is held, if it is possible."""
         said = [each.result for each in self.study.baseline if about(each, cell, label)]

@@ -41,7 +41,7 @@ def _study(log: Path) -> Path:
     return file_of(log.parent.parent)
 
 
-def only(run: int, variant: str, file: str = "sweep.yaml") -> str:
+def only(run: int, variant: str, file: str) -> str:
     """The command that flies one flight of a sweep or a matrix again, alone; `file` is that in its folder."""
     chosen = ["--variant", variant] if variant else []
     return f"python -m testbed {shlex.join([Path(file).stem, file, '--only', str(run), *chosen])}"

@@ -13,7 +13,7 @@ from testbed.reporting.panels import TRACKED, error_of, error_panel
 from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
-from testbed.studies.folder.names import flight_label, in_file_names
+from testbed.studies.folder.names import in_file_names, log_file
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import STATES, missed, requirements_of, state
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 MOST_FLIGHTS = 6000
 """Flights that the page has, those of the first runs; its numbers and curves are of all flights."""
-NOTHING, LOG, PAGE = range(3)
+_NOTHING, _LOG, _PAGE = range(3)
 """What there is of a flight beside its row in the table."""
 _RESULTS = ("altitude_error_max_m", "heading_error_max_deg", "airspeed_error_max_m_s", "detection_delay_s")
 """Metrics that the map can have on an axis."""
@@ -97,15 +97,13 @@ def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str
             "margin": None if worst is None else _rounded(worst.margin),
             "others": 0 if worst is None else worst.others,
             "end_s": _rounded(row["end_time_s"]),
-            "kept": kept_of(plan, folder, run, variant),
+            "kept": _kept(log_file(folder, run, plan.variants[variant].label)),
             **({"reason": row["reason"]} if row.get("reason") else {}),
         }
 
 
-def kept_of(plan: Plan, folder: Path, run: int, variant: int) -> int:
-    """What there is of a flight beside its row: NOTHING, its LOG, or its PAGE."""
-    log = folder / "logs" / f"{flight_label(plan, run * len(plan.variants) + variant)}.parquet"
-    return PAGE if page_of(log).is_file() else LOG if log.is_file() else NOTHING
+def _kept(log: Path) -> int:
+    return _PAGE if page_of(log).is_file() else _LOG if log.is_file() else _NOTHING
 
 
 def _point(point: Point) -> list[Any]:

@@ -10,11 +10,8 @@ from testbed.inputs.received import read_json
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
 from testbed.studies.folder import reading
-from testbed.studies.folder.names import flight_label
-from testbed.studies.plan import Plan
 from testbed.study_reports.sweep import sections
-from testbed.study_reports.sweep.flight_page import FOLDER
-from testbed.study_reports.sweep.flights import PAGE, for_the_script, kept_of
+from testbed.study_reports.sweep.flights import for_the_script
 
 _CAPTIONS = {
     "probabilities": "Probability that each requirement is met, with 95 % intervals (Wilson).",
@@ -45,39 +42,21 @@ def write_sweep_report(folder: str | Path) -> Path:
     if not (folder / "sweep.yaml").is_file():
         return html.write_page(file, name, parts(summary, folder))
     plan, frame = reading.load_plan(folder), reading.load(folder)
-    inside = parts(summary, folder, _pages(summary, plan, folder), moving=len(frame) > 0)
+    inside = parts(summary, folder, moving=len(frame) > 0)
     if not len(frame):
         return html.write_page(file, name, inside)
     return html.write_page(file, name, inside, "sweep.js", {"sweep": for_the_script(plan, frame, folder)})
 
 
-def parts(
-    summary: Mapping[str, Any], folder: Path, pages: sections.Pages | None = None, *, moving: bool = False
-) -> Iterator[Part]:
-    """The sections of the report in their order; with `moving`, the places that the script fills.
-
-    Args:
-        pages: of each of the worst flights that has one, by its label and run.
-    """
+def parts(summary: Mapping[str, Any], folder: Path, *, moving: bool = False) -> Iterator[Part]:
+    """The sections of the report in their order; with `moving`, the places that the script fills."""
     yield sections.head(summary)
     yield sections.probabilities(summary)
     yield sections.pairs(summary)
     if moving:
         yield _PLACES
     yield sections.drivers(summary)
-    still = [html.figures(folder / "figures", _CAPTIONS), sections.worst(summary, folder.name, pages or {})]
+    still = [html.figures(folder / "figures", _CAPTIONS), sections.worst(summary, folder)]
     yield tag("div", still, class_="still")
     yield sections.excursions(summary)
     yield sections.runs_needed(summary)
-
-
-def _pages(summary: Mapping[str, Any], plan: Plan, folder: Path) -> sections.Pages:
-    return {
-        (
-            variant["label"],
-            flight["run"],
-        ): f"{FOLDER}/{flight_label(plan, flight['run'] * len(plan.variants) + i)}.html"
-        for i, variant in enumerate(summary["variants"])
-        for flight in variant["worst"]
-        if kept_of(plan, folder, flight["run"], i) == PAGE
-    }

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from operator import itemgetter
+from pathlib import Path
 from typing import Any
 
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.words import DIGITS, passing, setting, title
+from testbed.studies.folder.names import flight_label
 from testbed.study_reports.sweep.answer import answer, ranked
-from testbed.study_reports.sweep.flight_page import only
+from testbed.study_reports.sweep.flight_page import FOLDER, only
 
 Summary = Mapping[str, Any]
-Pages = Mapping[tuple[str, int], str]
-"""Pages of flights, by the label of the variant and the run."""
 
 
 def head(summary: Summary) -> Iterator[Html]:
@@ -186,7 +186,7 @@ def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Htm
         yield html.row([label, output, html.joined(about), number(index["pawn"], ".2f"), share])
 
 
-def worst(summary: Summary, folder_name: str, pages: Pages) -> Iterator[Html]:
+def worst(summary: Summary, folder: Path) -> Iterator[Html]:
     """The worst flights, each with what it missed, its page or the command that flies it again."""
     flights = [
         {"label": variant["label"], **flight}
@@ -195,9 +195,10 @@ def worst(summary: Summary, folder_name: str, pages: Pages) -> Iterator[Html]:
     ]
 
     def again(flight: Summary) -> Html:
-        if page := pages.get((flight["label"], flight["run"])):
+        page = f"{FOLDER}/{flight_label(flight['run'], flight['label'])}.html"
+        if (folder / page).is_file():
             return html.link("report", page)
-        return tag("code", only(flight["run"], "", f"{folder_name}/sweep.yaml"))
+        return tag("code", only(flight["run"], "", f"{folder.name}/sweep.yaml"))
 
     columns: dict[str, Callable[[Summary], html.Cell]] = {
         "": itemgetter("label"),
