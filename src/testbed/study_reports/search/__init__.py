@@ -1,2 +1,1 @@
-"""What is shown of a search. `words` has the sentences, `sections` the parts of the page in HTML, `figures` the pictures, `report`
-the whole page."""
+"""What is shown of a search. `words` has the sentences, `figures` the pictures, `report` the whole page."""

@@ -1,11 +1,13 @@
 """The report of a search folder: one page with the answer in sentences, the design point, the way to it, and the flight found.
 
-Everything is read from the folder.
+Everything is read from the folder. Any number of its summary.json may be None.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from itertools import accumulate
+from operator import itemgetter, mul
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +16,14 @@ from testbed.inputs.received import read_json
 from testbed.reporting import html
 from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.figure import picture
-from testbed.reporting.html import Html, Part
-from testbed.study_reports.search import sections
+from testbed.reporting.html import Html, Part, tag
+from testbed.reporting.numbers import number
+from testbed.reporting.words import setting
 from testbed.study_reports.search.figures import CAPTIONS, draw_search
+from testbed.study_reports.search.words import answer, rounded
 
 Summary = Mapping[str, Any]
+Columns = dict[str, Callable[[Summary], html.Cell]]
 
 
 def write_search_page(folder: str | Path) -> Path:
@@ -33,13 +38,13 @@ def write_search_page(folder: str | Path) -> Path:
 
 
 def _parts(summary: Summary, folder: Path) -> Iterator[Part]:
-    yield sections.head(summary)
-    yield sections.probabilities(summary)
-    yield sections.design_points(summary)
+    yield _head(summary)
+    yield _probabilities(summary)
+    yield _design_points(summary)
     yield (_flight(part, folder) for part in summary["parts"] if part["found"])
     yield html.figures(folder / "figures", CAPTIONS)
-    yield sections.levels(summary)
-    yield sections.searches(summary)
+    yield _levels(summary)
+    yield _searches(summary)
 
 
 def _flight(part: Summary, folder: Path) -> Iterator[Html]:
@@ -62,3 +67,101 @@ def _flight(part: Summary, folder: Path) -> Iterator[Html]:
         html.link("the flight found", f"{name}/report.html"),
     ]
     yield html.note(html.joined(links, ", "), ".")
+
+
+def _head(summary: Summary) -> Html:
+    """Title, chips, the answer in sentences."""
+    facts = {"goal": summary["goal"], "flights": str(summary["flights"]), "budget": f"{summary['budget']} each",
+             "seed": str(summary["seed"]), "varied": ", ".join(map(setting, summary["varied"]))}  # fmt: skip
+    if summary["requirement"]:
+        facts["requirement"] = summary["requirement"]
+    return html.opening(summary["search"], answer(summary), facts)
+
+
+def _probabilities(summary: Summary) -> Iterator[Html]:
+    """The probability of each variant, and of each part, with what plain sampling would need."""
+    if summary["goal"] != "probability":
+        return
+    yield tag("h2", "How likely a requirement is broken")
+    known = [{**v["probability"], "label": v["label"] or "all", "weight": ""} for v in summary["variants"]]
+    if len(summary["parts"]) > len(summary["variants"]):
+        for part in summary["parts"]:
+            weight = number(part["weight"], ".3g")
+            about = {"label": part["label"], "reason": part["reason"], "weight": weight}
+            known.append({**part["probability"], **about})
+    columns: Columns = {
+        "": itemgetter("label"),
+        "weight": itemgetter("weight"),
+        "probability": lambda p: number(p["estimate"], ".2g"),
+        "95 % interval": lambda p: f"{number(p['low'], '.2g')} to {number(p['high'], '.2g')}",
+        "coefficient of variation": lambda p: number(p["coefficient_of_variation"], ".2f"),
+        "flights": itemgetter("flights"),
+        "plain sampling needs": lambda p: rounded(p["plain_flights"]),
+        "remark": lambda p: p.get("reason", ""),
+    }
+    yield html.listing(known, columns)
+    yield html.note(
+        f"By {summary['method']} sampling, with the same random numbers for all variants. Plain sampling needs "
+        "(1 - P) / (P c²) flights for the same coefficient of variation c."
+    )
+
+
+def _design_points(summary: Summary) -> Iterator[Html]:
+    """For each part that found a failure: every input with its value, and a bar for its share of the squared distance."""
+    found = [part for part in summary["parts"] if part["found"] and part["distance"]]
+    if not found:
+        return
+    yield tag("h2", "What it takes")
+    columns: Columns = {
+        "input": itemgetter("input"),
+        "value found": itemgetter("value"),
+        "value at the origin": itemgetter("nominal"),
+        "standard deviations": lambda each: number(each["coordinate"], "+.2f"),
+        "values at least as far": lambda each: number(each["beyond"], ".2g"),
+    }
+    for part in found:
+        yield tag("h3", part["label"]) if part["label"] else Html()
+        inputs = [{"input": setting(name), **each} for name, each in part["point"].items()]
+        bars = (
+            html.bar(each["input"], each["share"], number(each["value"], ".3g"))
+            for each in sorted(inputs, key=lambda each: -each["share"])
+        )
+        yield tag("div", bars, class_="drivers")
+        yield html.folded("As numbers", html.listing(inputs, columns))
+    yield html.note(
+        "Bars: the share of each input in the squared distance of the failure found from the origin; in the number, its value. "
+        "The origin is the median of an input or, for the severity of a failure, the value without effect."
+    )
+
+
+def _levels(summary: Summary) -> Iterator[Html]:
+    """The levels of subset simulation: how the probability is the product of larger ones."""
+    columns: Columns = {
+        "robustness at most": itemgetter("threshold"),
+        "given the level above": lambda level: number(level["probability"], ".3g"),
+        "probability": lambda level: number(level["product"], ".2g"),
+        "coefficient of variation": lambda level: number(level["cov"], ".2f"),
+        "flights": itemgetter("evaluations"),
+    }
+    for part in summary["parts"]:
+        found = part.get("levels", ())
+        if len(found) > 1:
+            products = accumulate((level["probability"] or 0.0 for level in found), mul)
+            rows = [{**level, "product": product} for level, product in zip(found, products, strict=True)]
+            yield html.folded(f"Levels {part['label']}".strip(), html.listing(rows, columns))
+
+
+def _searches(summary: Summary) -> Iterator[Html]:
+    """Every search that was made, in a table."""
+    columns: Columns = {
+        "search": lambda part: part["label"] or "all",
+        "flights": itemgetter("flights"),
+        "without a result": itemgetter("without_result"),
+        "distance": lambda part: number(part["distance"], ".3f", "none found"),
+        "breaks": lambda part: ", ".join(part.get("broken", ())),
+        "how it ended": itemgetter("reason"),
+    }
+    yield html.folded("The searches", html.listing(summary["parts"], columns))
+    kept = "results.csv has every flight"
+    again = "; found.yaml is the scenario found, and flies again as it is" if summary["found"] else ""
+    yield html.note(f"{kept}{again}.")
