@@ -1,16 +1,23 @@
-"""Curves of a sweep: the share that passes along each varied value, and the errors in time. Nothing here draws."""
+"""Curves of a sweep: the share that passes along each varied value, and the errors in time. Figures and the page draw them."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from testbed.common.angles import unwrapped_deg
-from testbed.common.statistics import Proportion, proportion
+from testbed.common.statistics import proportion
+from testbed.reporting.panels import TRACKED, error_of, error_panel
+from testbed.reporting.words import setting
+from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
-from testbed.studies.verdicts import judged
+from testbed.studies.folder.reading import groups_of
+from testbed.studies.plan import Plan
+from testbed.studies.verdicts import judged, requirements_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -21,23 +28,6 @@ MOST_NAMES = 12
 """A varied value with more names than these is not drawn."""
 _CHUNK = 2000  # error histories that are read at a time
 _MOST = 20_000  # error histories from which quantiles are computed
-
-
-class Point(NamedTuple):
-    """The share of flights that pass near a value: `at` is their mean value, or a name."""
-
-    at: float | str
-    share: Proportion
-
-
-class Band(NamedTuple):
-    """Errors in time [points]: 5 % quantile, median, 95 % quantile, and those of the flight with the largest error."""
-
-    low: np.ndarray
-    median: np.ndarray
-    high: np.ndarray
-    largest: np.ndarray
-    flight: int
 
 
 def is_number(values: pd.Series) -> bool:
@@ -56,8 +46,10 @@ def drawn_inputs(frame: pd.DataFrame, paths: list[str]) -> list[str]:
     return numbers + [path for path in paths if is_choice(frame[path])]
 
 
-def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
-    """The share of flights that pass in each part of an input's values, or for each of its names.
+def pass_shares(rows: pd.DataFrame, path: str) -> list[list[Any]]:
+    """[at, share, low, high, flights] that pass in each part of an input's values, or for each of its names.
+
+    `at` is the mean value of a part, or the name.
 
     The parts have as equal numbers of flights as can be: ten, or fewer so that each has 8 flights. Of ten different numbers or
     fewer, such as those of a choice, each is a part.
@@ -65,13 +57,12 @@ def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
     passed = judged(rows["passed"])
     values = rows[path][passed.index]
     names = None if is_number(values) else values.astype(str)
-    return [
-        Point(
-            float(values[part.index].mean()) if names is None else str(at),
-            proportion(int(part.sum()), len(part)),
-        )
-        for at, part in passed.groupby(_parts(values) if names is None else names)
-    ]
+    found = []
+    for at, part in passed.groupby(_parts(values) if names is None else names):
+        known = proportion(int(part.sum()), len(part))
+        where = str(at) if names is not None else rounded(float(values[part.index].mean()))
+        found.append([where, *map(rounded, (known.estimate, known.low, known.high)), known.n])
+    return found
 
 
 def _parts(values: pd.Series) -> pd.Series:
@@ -84,9 +75,10 @@ def _parts(values: pd.Series) -> pd.Series:
     return pd.qcut(values, most, labels=False, duplicates="drop")
 
 
-def error_band(folder: Path, flights: np.ndarray, channel: str) -> Band | None:
+def error_band(folder: Path, flights: np.ndarray, channel: str, variants: int = 1) -> dict[str, Any] | None:
     """Errors in time of some flights; None without histories. Errors of heading go on beyond a half turn.
 
+    They are 5 % quantile `low`, `median`, 95 % quantile `high`, and `largest`: those of the flight with the largest error, `run`.
     Quantiles at each time are over the flights that are still flying. If there are more than 20 000 flights, an evenly
     spaced part of them is used. The largest error is that of all flights.
 
@@ -94,6 +86,7 @@ def error_band(folder: Path, flights: np.ndarray, channel: str) -> Band | None:
         folder: the sweep folder.
         flights: their numbers k (see `Plan.task`).
         channel: one of `histories.CHANNELS`.
+        variants: of each run.
     """
     every = -(-len(flights) // _MOST)
     index = list(histories.CHANNELS).index(channel)
@@ -114,4 +107,53 @@ def error_band(folder: Path, flights: np.ndarray, channel: str) -> Band | None:
     bands = np.full((3, data.shape[1]), np.nan)
     flying = np.isfinite(data).any(axis=0)
     bands[:, flying] = np.nanquantile(data[:, flying], [0.05, 0.5, 0.95], axis=0)
-    return Band(bands[0], bands[1], bands[2], worst, number)
+    curves = zip(("low", "median", "high", "largest"), (*bands, worst), strict=True)
+    return {**{name: [*map(rounded, values)] for name, values in curves}, "run": number // variants}
+
+
+def shares(plan: Plan, frame: pd.DataFrame) -> list[dict[str, Any]]:
+    """{path, in words, variants} of each that can be drawn: of each variant its points [at, share, low, high, flights]."""
+    groups = [rows for _, rows in groups_of(plan, frame)]
+    return [
+        {"path": setting(path), "variants": [pass_shares(rows, path) for rows in groups]}
+        for path in drawn_inputs(frame, plan.paths)
+    ]
+
+
+def errors(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
+    """{title, linear, limits, times, variants} of each error whose histories there are: of each variant its band, or None."""
+    duration_s = float(plan.builder.scenario(plan.task(0)).duration_s)
+    times, count = histories.times_s(duration_s), len(plan.variants)
+    groups = [rows["run"].to_numpy() * count + i for i, (_, rows) in enumerate(groups_of(plan, frame))]
+    for quantity, drawn in TRACKED.items():
+        channel = error_of(quantity)
+        bands = [error_band(folder, flights, channel, count) for flights in groups]
+        if any(band is not None and band["median"] != [None] * histories.POINTS for band in bands):
+            yield {
+                "title": error_panel(quantity).heading,
+                "linear": drawn.linear,
+                "limits": list(limits(requirements_of(plan), channel, duration_s)),
+                "times": [*map(rounded, times)],
+                "variants": bands,
+            }
+
+
+def limits(
+    requirements: Sequence[Requirement], channel: str, duration_s: float
+) -> Iterator[dict[str, float]]:
+    """{from_s, until_s, size} of the requirements on an error: on its largest value, or on its signal in a window."""
+    signal, reference = histories.CHANNELS[channel]
+    metric = channel.replace("_error_", "_error_max_")
+    for requirement in requirements:
+        if requirement.eventually or requirement.never_for_longer_than_s:
+            continue  # its limit may be left
+        if requirement.metric == metric and requirement.at_most is not None:
+            yield {"from_s": 0.0, "until_s": duration_s, "size": requirement.at_most}
+        if requirement.signal == signal and requirement.of == reference and requirement.within is not None:
+            end = duration_s if requirement.until_s is None else requirement.until_s
+            yield {"from_s": requirement.begins_s, "until_s": end, "size": requirement.within}
+
+
+def rounded(value: float | None) -> float | None:
+    """A number with four digits, which is more than a picture shows; None for one that is not finite."""
+    return None if value is None or not math.isfinite(value) else float(f"{value:.4g}")

@@ -18,8 +18,7 @@ from testbed.studies.sensitivity import sensitivity
 from testbed.studies.summary import requirement_shares, requirement_titles
 from testbed.studies.verdicts import judged, state
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
-from testbed.study_reports.sweep.curves import is_number
-from testbed.study_reports.sweep.flights import errors, shares
+from testbed.study_reports.sweep.curves import errors, is_number, shares
 
 if TYPE_CHECKING:
     import pandas as pd
