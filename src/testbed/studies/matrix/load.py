@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,9 +24,8 @@ from testbed.inputs.yaml_source import Source
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.drawing.sampling import hashed
 from testbed.studies.load import name_of, study_of
-from testbed.studies.matrix.cells import Cell, cells
 from testbed.studies.matrix.model import Expected, Matrix
-from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.matrix.plan import Cell, MatrixPlan, cells
 from testbed.studies.model import MOST_FLIGHTS
 
 _AT_S, _DURATION_S, _LOG_HZ = 10.0, 60.0, 50
@@ -168,7 +167,10 @@ def _refuse_useless(matrix: Matrix, found: tuple[Cell, ...], source: Source) -> 
 
 
 def _refuse_unknown(plan: MatrixPlan, source: Source) -> None:
-    """Raise BadInput for names in the baseline that nothing has. It may be of more cells than are flown this time."""
+    """Raise BadInput for names in the baseline that nothing has. It may be of more cells than are flown this time.
+
+    Of a failure its type is looked at, without the values that may follow.
+    """
     known: dict[str, list[str]] = {
         "actuator": list(dict.fromkeys(cell.actuator for cell in plan.cells)),
         "failure": list(TABLE),
@@ -177,18 +179,9 @@ def _refuse_unknown(plan: MatrixPlan, source: Source) -> None:
     problems = [
         source.problem(("baseline", i, key), f"there is no {key} {name!r}", *guess(name, known[key]))
         for i, each in enumerate(plan.study.baseline)
-        for key, name in _names(each)
-        if name not in known[key] and (key != "controller" or did_you_mean(name, known[key]))
+        for key, said in each.model_dump(include=set(known), exclude_none=True).items()
+        if (name := said.partition(" ")[0] if key == "failure" else said) not in known[key]
+        and (key != "controller" or did_you_mean(name, known[key]))
     ]  # a controller of the user's own is known only where it is flown
     if problems:
         raise BadInput(problems)
-
-
-def _names(expected: Expected) -> Iterator[tuple[str, str]]:
-    """(key, name) of what an entry names; of a failure its type, without the values that may follow."""
-    if expected.actuator is not None:
-        yield "actuator", expected.actuator
-    if expected.failure is not None:
-        yield "failure", expected.failure.partition(" ")[0]
-    if expected.controller is not None:
-        yield "controller", expected.controller

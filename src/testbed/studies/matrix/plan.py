@@ -1,12 +1,37 @@
-"""A resolved matrix: its cells, what the baseline expects of each, and the flights that are made of it."""
+"""A resolved matrix: its cells, and why those that do not fit do not; what is expected of each, and the flights made of them."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
-from testbed.studies.matrix.cells import Cell
+from pydantic import ValidationError
+
+from testbed.aircraft.description import Aircraft, AnyActuator
+from testbed.common.text import with_article
+from testbed.failures import TABLE
+from testbed.inputs.problems import OWN_PART, BadInput, Problem, guess
 from testbed.studies.matrix.model import Expected, Matrix, Result
 from testbed.studies.plan import Plan
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A failure of an actuator, in one kind of weather.
+
+    Attributes:
+        failure: its type, and the values that differ from the catalogue's.
+        broken: the failure as a scenario has it; None where it is not possible.
+        reason: why it is not possible.
+    """
+
+    actuator: str
+    failure: str
+    severity: float
+    weather: str
+    broken: Mapping[str, Any] | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,3 +68,75 @@ def about(expected: Expected, cell: Cell, label: str) -> bool:
     return all(
         (label if key == "controller" else getattr(cell, key)) == value for key, value in asked.items()
     )
+
+
+def cells(matrix: Matrix, aircraft: Aircraft, at_s: float, rate_hz: float) -> Iterator[Cell]:
+    """Every cell, by weather, actuator, failure and severity. Raises BadInput for a failure that is none."""
+    kinds = [_asked(each) for each in matrix.failures or _types()]
+    for weather in matrix.weather or [""]:
+        for name, actuator in aircraft.actuators.items():
+            for label, kind, given in kinds:
+                for severity, values in _strengths(matrix, kind, given, actuator):
+                    broken = {"type": kind, "actuator": name, "at_s": at_s, **values}
+                    why = _misfit(kind, broken, aircraft, rate_hz)
+                    shown = weather if isinstance(weather, str) else f"{weather:g}"
+                    yield Cell(name, label, severity, shown, None if why else broken, why)
+
+
+def _asked(said: str | dict[str, Any]) -> tuple[str, str, dict[str, Any]]:
+    """(label, type, values) of a failure as the file has it."""
+    given = {"type": said} if isinstance(said, str) else dict(said)
+    kind = str(given.pop("type", ""))
+    if kind not in _types():
+        expected, suggestion = guess(kind, _types())
+        problem = Problem(
+            f"is {kind!r} ({OWN_PART})", path="failures", expected=expected, suggestion=suggestion
+        )
+        raise BadInput([problem])
+    own = {"actuator", "at_s", "until_s", "when"} & set(given)
+    if own:
+        what = f"has {', '.join(sorted(own))}"
+        raise BadInput([Problem(what, path="failures", expected="type and values: the matrix sets the rest")])
+    return " ".join([kind, *(f"{key}={value}" for key, value in given.items())]), kind, given
+
+
+def _types() -> list[str]:
+    """Those that break an actuator."""
+    return [name for name, kind in TABLE.items() if kind.examples]
+
+
+def _strengths(
+    matrix: Matrix, kind: str, given: Mapping[str, Any], actuator: AnyActuator
+) -> Iterator[tuple[float, dict[str, Any]]]:
+    """(severity, values) of a failure of this actuator; a single one of severity 1 where severity has no meaning."""
+    full = {**_example(kind, actuator), **given}
+    none = TABLE[kind].neutral(actuator) or {}
+    scaled = [
+        key for key in full if _is_number(full[key]) and _is_number(none.get(key)) and full[key] != none[key]
+    ]
+    for severity in matrix.severities if scaled else [1.0]:
+        between = {key: none[key] + severity * (full[key] - none[key]) for key in scaled}
+        yield severity, full | {key: round(value, 9) for key, value in between.items()}
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _example(kind: str, actuator: AnyActuator) -> Mapping[str, Any]:
+    examples = TABLE[kind].examples
+    return examples.get(actuator.kind, examples.get("motor" if actuator.kind == "engine" else "", {}))
+
+
+def _misfit(kind: str, broken: Mapping[str, Any], aircraft: Aircraft, rate_hz: float) -> str:
+    """Why a failure does not fit its actuator; "" where it does."""
+    actuator = aircraft.actuators[broken["actuator"]]
+    if actuator.kind not in TABLE[kind].kinds:
+        fitting = " or ".join(map(with_article, TABLE[kind].kinds))
+        return f"{fitting} can fail so, and this is {with_article(actuator.kind)}"
+    try:
+        issues = TABLE[kind].model_validate(broken).faults(aircraft, rate_hz)
+        return "; ".join(issue.what for issue in issues)
+    except ValidationError as error:
+        first = error.errors(include_url=False, include_input=False)[0]
+        return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"

@@ -6,9 +6,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from testbed.studies.matrix.cells import Cell
 from testbed.studies.matrix.model import RESULTS
-from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.matrix.plan import Cell, MatrixPlan
 from testbed.studies.verdicts import said_of, state
 
 if TYPE_CHECKING:
