@@ -14,19 +14,18 @@ from testbed.inputs.received import believed, refuse_links
 from testbed.parts import digests
 from testbed.reporting.attempt import attempt
 from testbed.reporting.junit import Test
-from testbed.studies.benchmark.law import law_sha256, seed_of
-from testbed.studies.benchmark.load import as_given, chosen, load_suite, read_back
+from testbed.studies.benchmark.load import as_given, chosen, law_sha256, load_suite, read_back, seed_of
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
-from testbed.studies.benchmark.run import fly_benchmark
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.run import Flights, Options
+from testbed.studies.sweep import fly_part
 
 if TYPE_CHECKING:
     import pandas as pd
 
 DEFAULT_DRAWS, DEFAULT_SEED, VERIFIED_DRAWS = 1000, 1, 20
-fly = fly_benchmark
+fly = fly_part
 
 
 def benchmark(
@@ -65,7 +64,7 @@ def benchmark(
     plan, folder = prepare(
         suite, out, controllers=controllers, draws=draws, seed=seed, word=word, entry=entry
     )
-    finish(plan, folder, fly_benchmark(plan, folder, how, resume=resume))
+    finish(plan, folder, fly_part(plan, folder, how, resume=resume))
     return table(folder)
 
 

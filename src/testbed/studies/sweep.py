@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from itertools import takewhile
 from pathlib import Path
 
 from testbed.common.statistics import proportion
 from testbed.inputs.problems import BadInput, Problem
-from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import Done, default_jobs, workers
 from testbed.studies.folder import table
@@ -30,29 +30,35 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     if plan.stop_when is not None:
         what = "cannot stop by itself, as each shard knows only its own flights"
         raise BadInput([Problem(what, "--shard", expected="a sweep without stop_when")])
-    return fly_into(plan, folder, options, lambda flights: fly_shard(flights, *options.part), resume=resume)
+    return fly_part(plan, folder, options, resume=resume)
 
 
-def fly_shard(flights: Flights, k: int, n: int) -> None:
-    """Fly every n-th run, from the k-th on."""
-    plan, passed = flights.plan, Passed(flights.plan)
-    flights.words = passed.words
-    tasks = (plan.task(number) for number in range(plan.size) if number // len(plan.variants) % n == k)
-    for task, record in flights.fly(tasks, plan.key):
-        passed.add(task.variant, record.passed)
+def fly_part(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
+    """As `fly_sweep`, without a table: every n-th run of `options.shard`, by default all."""
+    k, n = options.part
+
+    def fly(flights: Flights) -> None:
+        passed = Passed(plan)
+        flights.words = passed.words
+        tasks = (plan.task(number) for number in range(plan.size) if number // len(plan.variants) % n == k)
+        for task, record in flights.fly(tasks, plan.key):
+            passed.add(task.variant, record.passed)
+
+    return fly_into(plan, folder, options, fly, resume=resume)
 
 
 def fly_missing(flights: Flights) -> None:
     """As `fly_sweep`, with what flies into an open folder."""
     plan, store = flights.plan, flights.store
-    passed, complete = Passed(plan), _CompleteRuns(plan, store)
+    passed, stopping = Passed(plan), Stopping(plan.stop_when, len(plan.variants))
     flights.words = passed.words
-    complete.advance()
-    for task, record in flights.fly(complete.tasks(), plan.key):
+    stopping.advance(plan, store)
+    numbers = takewhile(lambda _: stopping.stopped_at is None, range(plan.size))
+    for task, record in flights.fly(map(plan.task, numbers), plan.key):
         passed.add(task.variant, record.passed)
-        if complete.advance():
+        if stopping.advance(plan, store):
             break
-    table.write(plan, lambda: records(plan, store, complete.stopping.stopped_at), store.folder)
+    table.write(plan, lambda: records(plan, store, stopping.stopped_at), store.folder)
 
 
 class Passed:
@@ -71,34 +77,6 @@ class Passed:
         """`adaptive_inversion 93 %  fixed_inversion 12 %`."""
         shares = zip(self._variants, self._counts, strict=True)
         return "  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n)
-
-
-class _CompleteRuns:
-    """Gives the stopping rule the runs in order, up to the first that is not complete.
-
-    So its decision does not depend on the order in which flights finish.
-    """
-
-    def __init__(self, plan: Plan, store: Store) -> None:
-        self._plan, self._store = plan, store
-        self.stopping = Stopping(plan.stop_when, len(plan.variants))
-
-    def advance(self) -> bool:
-        """Give the rule every run that has become complete; returns whether the sweep may stop."""
-        n, stopping = len(self._plan.variants), self.stopping
-        while self._plan.stop_when and stopping.stopped_at is None and stopping.runs < self._plan.runs:
-            keys = [key_of(stopping.runs * n + variant) for variant in range(n)]
-            if not all(key in self._store for key in keys):
-                break
-            stopping.add([self._store.record(key).passed for key in keys])
-        return stopping.stopped_at is not None
-
-    def tasks(self) -> Iterator[Task]:
-        """Every flight in order, until the sweep may stop."""
-        for k in range(self._plan.size):
-            if self.stopping.stopped_at is not None:
-                return
-            yield self._plan.task(k)
 
 
 def fly_only(plan: Plan, run: int, job: Job, jobs: int | None, variant: int | None = None) -> list[Done]:
@@ -125,6 +103,19 @@ class Stopping:
         self._next = 1
         self.runs = 0
         self.stopped_at: int | None = None
+
+    def advance(self, plan: Plan, store: Store) -> bool:
+        """Add the runs that have become complete, in order up to the first that is not; returns whether to stop.
+
+        So that does not depend on the order in which flights finish.
+        """
+        n = len(plan.variants)
+        while self._rule and self.stopped_at is None and self.runs < plan.runs:
+            keys = [key_of(self.runs * n + variant) for variant in range(n)]
+            if not all(key in store for key in keys):
+                break
+            self.add([store.record(key).passed for key in keys])
+        return self.stopped_at is not None
 
     def add(self, passed: Sequence[bool | None]) -> bool:
         """Count one more run, with a verdict for each variant, None if it was not judged; returns whether to stop."""

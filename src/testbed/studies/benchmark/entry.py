@@ -22,8 +22,7 @@ from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.base import Number, Settings, Text, Whole
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
-from testbed.studies.benchmark.law import law_sha256
-from testbed.studies.benchmark.load import load_suite
+from testbed.studies.benchmark.load import law_sha256, load_suite
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.drawing.sampling import hashed
 from testbed.studies.flying.flight import FLY

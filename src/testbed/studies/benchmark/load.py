@@ -1,8 +1,7 @@
-"""Read a suite's file, choose who flies it, and read back what a folder was begun with."""
+"""Read a suite's file, choose who flies it with which seed, and read back what a folder was begun with."""
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,14 +11,19 @@ from pydantic import BaseModel, ConfigDict, Field, RootModel
 
 from testbed.aircraft.shipped import find_suite
 from testbed.controllers.config import AnyController
-from testbed.controllers.user.own import OwnController, own_controllers
+from testbed.controllers.user.own import OwnController, own_controllers, sha256_of
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.base import Text, Whole
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.studies.benchmark.model import Suite
+from testbed.studies.drawing.sampling import hashed
 
+_PACKAGE = Path(__file__).parents[2]
+_LAW = ("controllers", "aircraft/control_design.py")
+_OUTSIDE = ("controllers/external/", "controllers/user/")
+"""Seams through which controllers of others come in: no shipped controller is flown by them."""
 Compared = dict[str, Mapping[str, Any] | OwnController]
 """Controllers by name: settings of a shipped one, or one of the user's."""
 
@@ -113,7 +117,15 @@ def read_back(folder: Path) -> tuple[Suite, Compared, dict[str, Any]]:
     return validated(Suite, Source(source.file, tree["suite"])), compared, tree
 
 
-def digest_of(suite: Suite) -> str:
-    """SHA-256 of what a suite says, from which its flights are drawn; comments, order and controllers do not count."""
-    said = suite.model_dump(mode="json", exclude={"controllers", "told", "purpose", "time_limit_s"})
-    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
+def law_sha256() -> str:
+    """SHA-256 of the code of every shipped controller and of the control design, without the seams for others' controllers."""
+    files = (file for name in _LAW for file in [_PACKAGE / name, *(_PACKAGE / name).rglob("*.py")])
+    names = {file: file.relative_to(_PACKAGE).as_posix() for file in sorted(files) if file.is_file()}
+    return sha256_of(
+        (name, file.read_bytes()) for file, name in names.items() if not name.startswith(_OUTSIDE)
+    )
+
+
+def seed_of(word: str) -> int:
+    """The seed for a law that is frozen and a public word that was said afterwards, so that nobody can choose the draws for it."""
+    return hashed(law_sha256(), word)

@@ -8,12 +8,11 @@ from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from testbed.controllers.config import AnyController
 from testbed.failures import TABLE as FAILURES
-from testbed.inputs.base import Number, Positive, Settings, Text, refuse
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 from testbed.inputs.problems import guess
 from testbed.inputs.yaml_source import describe
 from testbed.sensors.faults import TABLE as SENSOR_FAULTS
 from testbed.sensors.settings import PRESETS
-from testbed.studies.benchmark.limits import Limits
 from testbed.studies.drawing.distributions import Distribution
 from testbed.studies.model import Study
 
@@ -41,6 +40,16 @@ def _of_numbers(drawn: Distribution) -> Distribution:
 
 
 Numbers = Annotated[Distribution, AfterValidator(_of_numbers)]
+
+
+def _one_of(name: str, known: Any) -> str:
+    if name not in known:
+        raise refuse(f"{name!r} is not known", *guess(name, known))
+    return name
+
+
+def _among(known: Any) -> AfterValidator:
+    return AfterValidator(lambda name: _one_of(name, known))
 
 
 class Craft(Settings):
@@ -127,15 +136,10 @@ class Gusts(Settings):
 class SensorFaultEntry(Settings):
     """One way in which a sensor fails. `values` are the keys of the fault, as in a scenario."""
 
-    type: Text
+    type: Annotated[Text, _among(SENSOR_FAULTS)]
     sensor: Text
     weight: Positive = 1.0
     values: dict[str, Distribution] = {}  # noqa: RUF012  (pydantic copies it)
-
-    @field_validator("type")
-    @classmethod
-    def _known(cls, name: str) -> str:
-        return _one_of(name, SENSOR_FAULTS)
 
 
 class SensorFaults(Settings):
@@ -159,7 +163,7 @@ class FailureEntry(Settings):
     Of a `property` failure, `values` are properties below the prefix of each actuator `of` a kind: all of them are held.
     """
 
-    type: Text
+    type: Annotated[Text, _among(FAILURES)]
     family: Text
     """What results are counted by."""
     weight: Positive = 1.0
@@ -167,11 +171,6 @@ class FailureEntry(Settings):
     of: Literal["servo", "motor"] | None = None
     """Kind of the actuators that fail so; an engine counts as a motor. Default: every kind that can."""
     values: dict[str, Distribution] = {}  # noqa: RUF012
-
-    @field_validator("type")
-    @classmethod
-    def _known(cls, name: str) -> str:
-        return _one_of(name, FAILURES)
 
     @model_validator(mode="after")
     def _whose(self) -> FailureEntry:
@@ -204,6 +203,17 @@ class Failures(Settings):
     back_after_s: Numbers
     """How long after its end a failure comes back [s]."""
     types: Annotated[tuple[FailureEntry, ...], Field(min_length=1)]
+
+
+class Limits(Settings):
+    """A flight is held if it is flown to the end and never farther from its references than this."""
+
+    altitude_spans: NonNegative
+    """Distance from the reference of altitude in wing spans, to which is added:"""
+    altitude_s: NonNegative
+    """how far the aircraft flies in this time [s] at the airspeed with which it begins."""
+    heading_deg: Positive
+    """Distance from the reference of heading [deg]."""
 
 
 class Suite(Settings):
@@ -258,9 +268,3 @@ class Draws(Study):
     free: ClassVar[tuple[str, ...]] = ("draws", "file", "word")
 
     scenario: Text | dict[str, Any] = "drawn"
-
-
-def _one_of(name: str, known: Any) -> str:
-    if name not in known:
-        raise refuse(f"{name!r} is not known", *guess(name, known))
-    return name

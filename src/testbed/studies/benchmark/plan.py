@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +19,6 @@ from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import placed_name
 from testbed.studies.benchmark import craft
 from testbed.studies.benchmark.grammar import Dice, Drawn, drawn
-from testbed.studies.benchmark.load import digest_of
 from testbed.studies.benchmark.model import Draws, Suite
 from testbed.studies.drawing.builder import TYPE, Builder, Task, Variant
 from testbed.studies.drawing.sampling import hashed
@@ -63,12 +64,12 @@ class Benchmark(Plan):
     law: str
     word: str = ""
     entry: Path | None = None
-    _draws: dict[int, tuple[Drawn, int]] = field(default_factory=dict, compare=False, repr=False)
 
     @cached_property
     def digest(self) -> str:
-        """Of the suite (see `load.digest_of`)."""
-        return digest_of(self.suite)
+        """SHA-256 of what the suite says, from which its flights are drawn; comments, order and controllers do not count."""
+        said = self.suite.model_dump(mode="json", exclude={"controllers", "told", "purpose", "time_limit_s"})
+        return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()
 
     @property
     def labels(self) -> list[str]:
@@ -96,10 +97,9 @@ class Benchmark(Plan):
         """What draw `number` is counted as: {factor: group}."""
         return dict(self._valid(number)[0].groups)
 
-    def _valid(self, number: int) -> tuple[Drawn, int]:
-        if number not in self._draws:
-            self._draws[number] = self._first_valid(number)
-        return self._draws[number]
+    @cached_property
+    def _valid(self) -> Callable[[int], tuple[Drawn, int]]:
+        return cache(self._first_valid)
 
     def _first_valid(self, number: int) -> tuple[Drawn, int]:
         """The first of the attempts at a draw that is a valid scenario, and the flight's own seed."""

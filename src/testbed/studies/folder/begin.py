@@ -8,7 +8,6 @@ logs/            whole logs of the flights that --save-logs chooses, such as run
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import shutil
@@ -19,6 +18,7 @@ from typing import Any
 from testbed.aircraft.description import load_aircraft
 from testbed.common.arithmetic import differences, environment
 from testbed.common.writing import remove_partial, write
+from testbed.controllers.user.own import sha256_of
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import read_text
@@ -207,9 +207,10 @@ def _other_parts(inputs: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[
 
 def _aircraft_digest(plan: Plan) -> str:
     """SHA-256 of the files of every aircraft that is flown: XML, YAML and design model."""
-    digest = hashlib.sha256()
-    for name in plan.aircraft_names:
-        folder = load_aircraft(name).folder
-        for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
-            digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
-    return digest.hexdigest()
+    folders = (load_aircraft(name).folder for name in plan.aircraft_names)
+    files = ((folder, file) for folder in folders for file in sorted(folder.rglob("*")))
+    return sha256_of(
+        (str(file.relative_to(folder)), file.read_bytes())
+        for folder, file in files
+        if file.suffix in (".xml", ".yaml", ".json")
+    )
