@@ -38,18 +38,24 @@ _MOST = Field(max_length=500)
 
 
 @dataclass(frozen=True)
-class Record:
-    """One flight: the numbers of its run and variant, its seed, the values drawn, and how it went.
+class Task:
+    """One flight of a study: the numbers of its run and its variant, and the seed and the values drawn for the run."""
+
+    run: _Number
+    variant: _Number
+    seed: _Number
+    values: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Record(Task):
+    """A flight, and how it went.
 
     `requirements` has (passed, value, robustness) of each requirement, NaN where there is no value. `passed` is None for what
     cannot be judged: a requirement on what the controller does not say, and a flight in which nothing can. `reason` says why there
     is no result. `environment` says what was other than where the study was begun, where that was asked for.
     """
 
-    run: _Number
-    variant: _Number
-    seed: _Number
-    values: dict[str, Any]
     outcome: Annotated[str, AfterValidator(_known)]
     passed: bool | None
     reason: str = ""

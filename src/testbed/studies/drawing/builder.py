@@ -14,6 +14,7 @@ from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, scenario_from
 from testbed.scenario.missing import made
+from testbed.studies.record import Task as Task
 
 TYPE = "controller.type"
 _PARAMETERS = "parameters"
@@ -24,16 +25,6 @@ class Variant:
     """One of the alternatives that are compared, such as a controller: its label, and its values by dotted paths."""
 
     label: str
-    values: Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class Task:
-    """One flight of a sweep: the numbers of its run and its variant, and the seed and the values drawn for the run."""
-
-    run: int
-    variant: int
-    seed: int
     values: Mapping[str, Any]
 
 

@@ -81,17 +81,14 @@ def not_flown(task: Task, outcome: str, reason: str) -> Flown:
     """The record of a flight that has no result, which counts as not passed."""
     # Memory addresses differ between processes.
     reason = re.sub(r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split()))[:_LONGEST_REASON]
-    return Flown(Record(task.run, task.variant, task.seed, dict(task.values), outcome, False, reason))
+    return Flown(Record(**vars(task), outcome=outcome, passed=False, reason=reason))
 
 
 def _flown(job: Job, task: Task, flight: Flight) -> Flown:
     record = Record(
-        task.run,
-        task.variant,
-        task.seed,
-        dict(task.values),
-        str(flight.outcome),
-        flight.passed,
+        **vars(task),
+        outcome=str(flight.outcome),
+        passed=flight.passed,
         end_time_s=float(flight.end_time_s),
         robustness=float(flight.robustness),
         metrics={name: float(value) for name, value in flight.metrics.items()},
