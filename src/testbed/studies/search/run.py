@@ -52,46 +52,34 @@ def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool
     `studies.merge` joins with the others. Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight
     at the origin fails already.
     """
-    if options.shard is None:
-        return fly_into(plan, folder, options, lambda flights: search_by(plan, flights), resume=resume)
     k, n = options.part
     if n > len(plan.parts):
         what = f"is {options.shard}, and a search of one variant and option is not divided"
         raise BadInput([Problem(what, "--shard", expected=f"at most {len(plan.parts)} shards")])
-    return fly_into(plan, folder, options, lambda flights: _search_shard(plan, flights, k, n), resume=resume)
 
+    def search(flights: Flights) -> list[Found]:
+        states = [LimitState(plan, part, flights) for part in plan.parts]
+        _refuse_broken(plan, states)  # by all origins, which so every shard flies
+        found = [_found(plan, state) for state in states[k::n]]
+        if options.shard is None:
+            table.write(plan, lambda: _rows(states), flights.store.folder)
+        return found
 
-def search_by(plan: SearchPlan, flights: Flights) -> list[Found]:
-    """As `run_search`, with what flies into an open folder."""
-    states = [LimitState(plan, part, flights) for part in plan.parts]
-    _refuse_broken(plan, states)
-    found = [_found(plan, state) for state in states]
-    table.write(plan, lambda: _rows(states), flights.store.folder)
-    return found
-
-
-def _search_shard(plan: SearchPlan, flights: Flights, k: int, n: int) -> None:
-    """Search every n-th part, from the k-th on. Every shard flies all origins, by which the whole search may be refused."""
-    states = [LimitState(plan, part, flights) for part in plan.parts]
-    _refuse_broken(plan, states)
-    for state in states[k::n]:
-        _answer(plan, state)
+    return fly_into(plan, folder, options, search, resume=resume)
 
 
 def unsearched(plan: SearchPlan, store: Store) -> list[str]:
     """The labels of the parts whose search needs flights that the store does not have."""
     flights = Flights(plan, Options().job(plan), store, _fly_none)
-    return [plan.label(part) for part in plan.parts if not _is_searched(plan, part, flights)]
-
-
-def _is_searched(plan: SearchPlan, part: Part, flights: Flights) -> bool:
-    state = LimitState(plan, part, flights)
-    try:
-        state(np.zeros((1, len(part.space))))
-        _answer(plan, state)
-    except _Unflown:
-        return False
-    return True
+    missing = []
+    for part in plan.parts:
+        state = LimitState(plan, part, flights)
+        try:
+            state(np.zeros((1, len(part.space))))
+            _answer(plan, state)
+        except _Unflown:
+            missing.append(plan.label(part))
+    return missing
 
 
 class _Unflown(Exception):
@@ -137,8 +125,7 @@ def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
 
 def broken_names(plan: SearchPlan, record: Record) -> list[str]:
     """What a flight did not meet, by the requirements' names; that the aircraft was lost, if each was met until then."""
-    scenario = plan.builder.scenario(Task(record.run, record.variant, record.seed, record.values))
-    verdicts = zip(scenario.requirements, record.requirements, strict=False)
+    verdicts = zip(plan.builder.scenario(record).requirements, record.requirements, strict=False)
     names = [repr(requirement.title) for requirement, (passed, *_) in verdicts if passed is False]
     return names or [f"no requirement, but the flight ended early ({record.outcome})"]
 

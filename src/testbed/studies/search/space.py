@@ -9,7 +9,6 @@ u = 0 is that end.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -45,6 +44,10 @@ class Coordinate:
     def distance(self, u: float) -> float:
         """The coordinate, without its sign where the value is measured from an end: u and -u are the same value there."""
         return u if self.origin == "median" else abs(u)
+
+    def beyond(self, u: float) -> float:
+        """Probability of a value at least this far from where distance is measured, on this side of it."""
+        return float(ndtr(-abs(u))) * (1.0 if self.origin == "median" else 2.0)
 
 
 def _from_end(u: np.ndarray, origin: Origin) -> np.ndarray:
@@ -104,8 +107,3 @@ def origin_at(distribution: Distribution, nominal: float) -> Origin | None:
         return None
     low, high = distribution.ends
     return "low" if nominal == low else "high" if nominal == high else None
-
-
-def likelihoods(coordinates: Mapping[str, float]) -> dict[str, float]:
-    """Probability of a value at least this far from where distance is measured, on this side of it, by dotted path."""
-    return {path: float(ndtr(-abs(u))) for path, u in coordinates.items()}

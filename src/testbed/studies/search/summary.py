@@ -16,7 +16,6 @@ from testbed.reliability import FailureProbability, SmallestFailure, Step
 from testbed.studies.drawing.builder import Task
 from testbed.studies.search.plan import Part, SearchPlan
 from testbed.studies.search.run import Found, broken_names
-from testbed.studies.search.space import likelihoods
 
 Summary = dict[str, Any]
 
@@ -105,7 +104,7 @@ def _coordinates(part: Part, u: np.ndarray) -> dict[str, float]:
 def _point(part: Part, u: np.ndarray) -> dict[str, Summary]:
     """The design point: value, coordinate, share of the squared distance, and how likely a value at least this far is."""
     coordinates = _coordinates(part, u)
-    total, values, beyond = float(u @ u), part.space.values(np.array([u]))[0], likelihoods(coordinates)
+    total, values = float(u @ u), part.space.values(np.array([u]))[0]
     return {
         each.path: {
             "value": values[each.path],
@@ -113,7 +112,7 @@ def _point(part: Part, u: np.ndarray) -> dict[str, Summary]:
             "origin": each.origin,
             "coordinate": coordinates[each.path],
             "share": coordinates[each.path] ** 2 / total if total else 0.0,
-            "beyond": beyond[each.path] * (1.0 if each.origin == "median" else 2.0),
+            "beyond": each.beyond(coordinates[each.path]),
         }
         for each in part.space.coordinates
     }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from matplotlib.ticker import MaxNLocator
 
 from testbed.reporting.palette import nth
 from testbed.reporting.words import setting
-from testbed.study_reports.drawing import Draw, draw_all, figure, legend
+from testbed.study_reports.drawing import Draw, figure, legend
 
 Summary = Mapping[str, Any]
 CAPTIONS = {
@@ -21,11 +20,6 @@ CAPTIONS = {
     "levels": "Probability that the robustness is at most a value, by level, with 95 % intervals; at 0, the answer.",
 }
 _MOST_INPUTS, _MOST_PANELS = 12, 6
-
-
-def draw_search(summary: Summary, folder: Path) -> list[Path]:
-    """Draw every figure for which the summary has data into folder/figures; returns the files."""
-    return draw_all(TABLE, folder, summary)
 
 
 def convergence(summary: Summary) -> Figure | None:

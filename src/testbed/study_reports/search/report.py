@@ -19,7 +19,8 @@ from testbed.reporting.comparison.figure import picture
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import number
 from testbed.reporting.words import setting
-from testbed.study_reports.search.figures import CAPTIONS, draw_search
+from testbed.study_reports.drawing import draw_all
+from testbed.study_reports.search.figures import CAPTIONS, TABLE
 from testbed.study_reports.search.words import answer, rounded
 
 Summary = Mapping[str, Any]
@@ -33,7 +34,7 @@ def write_search_page(folder: str | Path) -> Path:
     """
     folder = Path(folder).resolve()
     summary: Summary = read_json(folder / "summary.json", "the summary that testbed wrote")
-    draw_search(summary, folder)
+    draw_all(TABLE, folder, summary)
     return html.write_page(folder / "report.html", summary["search"], _parts(summary, folder))
 
 

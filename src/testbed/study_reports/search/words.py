@@ -149,7 +149,8 @@ def _weather(flight: Flight, parts: list[str]) -> str:
     if parts[:2] == ["atmosphere", "wind_m_s"]:
         north, east, down = air.wind_m_s
         up = f", {abs(down):.1f} m/s {'down' if down > 0 else 'up'}" if abs(down) >= 0.05 else ""
-        return f"a steady wind of {math.hypot(north, east):.1f} m/s from {_from(north, east)} deg{up}"
+        origin_deg = math.degrees(math.atan2(-east, -north)) % 360.0
+        return f"a steady wind of {math.hypot(north, east):.1f} m/s from {origin_deg:.0f} deg{up}"
     if parts[:2] == ["atmosphere", "gusts"] and len(parts) > 2:
         gust = air.gusts[int(parts[2])]
         return f"a gust of {np.linalg.norm(gust.magnitude_m_s):.1f} m/s at {gust.at_s:.1f} s"
@@ -166,10 +167,6 @@ def _turbulence(flight: Flight) -> str:
     moved = np.column_stack([log[name] for name in COLUMNS])[inside] - air.wind_m_s
     most = np.linalg.norm(moved, axis=1).max(initial=0.0)
     return f"turbulence of up to {most:.1f} m/s between {air.noise.from_s:g} and {until:g} s"
-
-
-def _from(north: float, east: float) -> str:
-    return f"{math.degrees(math.atan2(-east, -north)) % 360.0:.0f}"
 
 
 def _value(flight: Flight, parts: list[str]) -> str:
