@@ -9,14 +9,13 @@ from pathlib import Path
 
 from testbed.common.arithmetic import differences
 from testbed.common.writing import write
-from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.studies.folder import store
-from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other
+from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other, write_study
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
-from testbed.studies.record import Record, key_of
+from testbed.studies.record import Begun, Record, key_of
 
 _LARGEST_LOG = 1000 * MEGABYTE
 
@@ -29,19 +28,20 @@ def merge(plan: Plan, folders: Sequence[Path], out: Path, *, mixed: bool = False
     """
     if not is_new(out):
         raise BadInput([Problem("exists already", str(out), expected="a new folder")])
-    _refuse_strangers(plan, folders, mixed)
+    with store.reading(folders[0]) as first:
+        inputs = first.inputs
+    _refuse_strangers(plan, folders, inputs, mixed)
     out.mkdir(parents=True, exist_ok=True)
     try:
+        store.create(out, inputs)
         _join(plan, folders, out)
     except BaseException:
         shutil.rmtree(out, ignore_errors=True)
         raise
 
 
-def _refuse_strangers(plan: Plan, folders: Sequence[Path], mixed: bool) -> None:
+def _refuse_strangers(plan: Plan, folders: Sequence[Path], inputs: Begun, mixed: bool) -> None:
     problems: list[Problem] = []
-    with store.reading(folders[0]) as first:
-        inputs = first.inputs
     for folder in folders[1:]:
         with store.reading(folder) as other:
             collect(problems, lambda f=folder: refuse_other(f, plan, resume=True))  # type: ignore[misc]
@@ -51,8 +51,6 @@ def _refuse_strangers(plan: Plan, folders: Sequence[Path], mixed: bool) -> None:
 
 
 def _join(plan: Plan, folders: Sequence[Path], out: Path) -> None:
-    with store.reading(folders[0]) as first:
-        store.create(out, first.inputs)
     merged = store.opened(out)
     try:
         for folder in folders:
@@ -60,9 +58,7 @@ def _join(plan: Plan, folders: Sequence[Path], out: Path) -> None:
                 _add(merged, shard)
             for log in sorted((folder / "logs").glob("*.parquet")):
                 write(out / "logs" / log.name, _contents(log), within=out)
-        if plan.cases_text is not None:
-            write(out / "cases.csv", plan.cases_text)
-        write(out / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
+        write_study(out, plan)
     finally:
         merged.close()
 

@@ -56,15 +56,20 @@ def begin(folder: Path, plan: Plan, fly: str, *, resume: bool, mixed: bool = Fal
                 pass
             remove_partial(folder)  # while no other process flies into it
             # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
-            if plan.cases_text is not None:
-                write(folder / "cases.csv", plan.cases_text)
-            write(folder / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
+            write_study(folder, plan)
         except BaseException:
             stored.close()
             raise
         return stored
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror or error}", str(folder))]) from None
+
+
+def write_study(folder: Path, plan: Plan) -> None:
+    """Write the resolved study, and its table of runs if it has one."""
+    if plan.cases_text is not None:
+        write(folder / "cases.csv", plan.cases_text)
+    write(folder / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
 
 
 def refuse_blocked(folder: Path) -> None:

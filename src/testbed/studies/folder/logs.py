@@ -55,7 +55,10 @@ def _column(pa: Any, kind: Any, values: np.ndarray) -> Any:
 def is_kept(path: str | Path) -> bool:
     """Whether a path is a log that a sweep kept, or names a run of a sweep: `SWEEP/17`, `SWEEP/run-000017-pid`."""
     path = Path(path)
-    return (path.suffix == ".parquet" and path.is_file()) or _names_a_run(path)
+    if path.suffix == ".parquet" and path.is_file():
+        return True
+    known = path.name.isdecimal() or _LABEL.fullmatch(path.name)
+    return bool(known) and not path.exists() and file_of(path.parent).is_file()
 
 
 def logs_of(path: str | Path) -> list[Path]:
@@ -66,11 +69,10 @@ def logs_of(path: str | Path) -> list[Path]:
     path = Path(path)
     if path.suffix == ".parquet" and path.is_file():
         return [path]
-    run, label = _run_and_label(path.name)
+    run, label = run_and_label(path.name)
     pattern = f"run-{run:06d}-{label}.parquet" if label else f"run-{run:06d}*.parquet"
-    found = sorted(
-        f for f in (path.parent / "logs").glob(pattern) if _LABEL.fullmatch(f.stem) and run_of(f) == run
-    )
+    named = (file for file in (path.parent / "logs").glob(pattern) if _LABEL.fullmatch(file.stem))
+    found = sorted(file for file in named if run_and_label(file.stem)[0] == run)
     if not found:
         runs = runs_of(path.parent)
         if runs is not None and run >= runs:
@@ -109,22 +111,8 @@ def read(file: Path) -> Flight:
         raise BadInput([problem]) from None
 
 
-def run_of(file: Path) -> int:
-    """The number of the run of a kept log, from its name."""
-    return _run_and_label(file.stem)[0]
-
-
-def label_of(file: Path) -> str:
-    """The label of the variant of a kept log, as in its name; "" where nothing is compared."""
-    return _run_and_label(file.stem)[1]
-
-
-def _names_a_run(path: Path) -> bool:
-    known = path.name.isdecimal() or _LABEL.fullmatch(path.name)
-    return bool(known) and not path.exists() and file_of(path.parent).is_file()
-
-
-def _run_and_label(name: str) -> tuple[int, str]:
+def run_and_label(name: str) -> tuple[int, str]:
+    """The run and the label of the variant of a kept log, from its name; "" where nothing is compared."""
     if name.isdecimal():
         return int(name), ""
     found = _LABEL.fullmatch(name)
