@@ -44,4 +44,4 @@ def test_the_worst_runs_come_first(tmp_path: Path) -> None:
     text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
     plan = load_sweep(written(tmp_path, text))
     frame = table(fly_here(plan, tmp_path / "out", "sweep_flights:bad"))
-    assert list(worst(plan, frame)["run"]) == [2, 4, 0, 1]  # no result; then by altitude error; 3 has passed
+    assert list(worst(frame)["run"]) == [2, 4, 0, 1]  # no result; then by altitude error; 3 has passed

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from testbed.common import statistics
 from testbed.common.files import plain
+from testbed.scenario.requirement import Requirement
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
@@ -40,9 +41,7 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
         "complete": len(frame) == plan.size,
         "varied": plan.paths,
         "variants": [_variant(plan, label, rows) for label, rows in groups],
-        "pairs": [
-            _pair(one[0], one[1], other[0], other[1]) for one, other in itertools.combinations(groups, 2)
-        ],
+        "pairs": [_pair(*one, *other) for one, other in itertools.combinations(groups, 2)],
     }
     known: dict[str, Any] = plain(summary)
     return known
@@ -55,12 +54,7 @@ def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
     return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
 
 
-def requirement_titles(plan: Plan) -> list[str]:
-    """The title of each requirement, in order."""
-    return [requirement.title for requirement in requirements_of(plan)]
-
-
-def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
+def worst(rows: pd.DataFrame) -> pd.DataFrame:
     """The worst flights of those that did not pass, the worst first.
 
     Flights without a result come first, then lost flights (the earliest first), then the others by their number of unmet
@@ -78,13 +72,12 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
         "unmet": (failed[verdicts] == False).sum(axis=1),  # noqa: E712  (a missing verdict is neither True nor False)
         "error": failed.get("altitude_error_max_m", failed["end_time_s"] * 0.0).fillna(0.0),
     }
-    order = failed.assign(**{f"_{name}": key for name, key in keys.items()})
-    ranked = order.sort_values([f"_{name}" for name in keys], ascending=False, kind="stable")
-    return ranked[list(rows.columns)].head(count)
+    order = failed[[]].assign(**keys).sort_values([*keys], ascending=False, kind="stable")
+    return failed.loc[order.index].head(WORST)
 
 
 def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
-    known = judged(rows["passed"])
+    known, requirements = judged(rows["passed"]), requirements_of(plan)
     passed, n = int(known.sum()), len(known)
     metrics = metric_names(plan, rows)
     drivers = ["passed", *(name for name in metrics if "error_max" in name)]
@@ -92,17 +85,19 @@ def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
         "label": label,
         "outcomes": {str(k): int(v) for k, v in sorted(rows["outcome"].value_counts().items()) if v},
         "all_requirements": _share(passed, n, len(rows)),
-        "requirements": list(_requirements(plan, rows)),
+        "requirements": [
+            {"name": each.title, **_share(*requirement_shares(rows, j), len(rows))}
+            for j, each in enumerate(requirements)
+        ],
         "metrics": {name: _metric(rows, name) for name in metrics},
         "runs_needed": _runs_needed(passed, n),
         "sensitivity": sensitivity(rows, plan.paths, drivers),
-        "worst": [_told(plan, row) for row in worst(plan, rows).to_dict("records")],
+        "worst": [_told(requirements, row) for row in worst(rows).to_dict("records")],
     }
 
 
-def _told(plan: Plan, row: Mapping[Any, Any]) -> dict[str, Any]:
+def _told(requirements: Sequence[Requirement], row: Mapping[Any, Any]) -> dict[str, Any]:
     """A failed flight: its run, how it ended, and the requirement that it missed by most, with the worst value and the margin."""
-    requirements = requirements_of(plan)
     by_most = missed(requirements, row)
     told = {"run": int(row["run"]), "outcome": str(row["outcome"]), "reason": row.get("reason") or ""}
     if by_most is None:
@@ -123,11 +118,6 @@ def requirement_shares(rows: pd.DataFrame, j: int) -> tuple[int, int]:
     name = f"requirements.{j}.passed"
     known = judged(rows[name]) if name in rows else rows["passed"][:0]
     return int(known.sum()), len(known) + int(rows["outcome"].isin(NO_RESULT).sum())
-
-
-def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
-    for j, title in enumerate(requirement_titles(plan)):
-        yield {"name": title, **_share(*requirement_shares(rows, j), len(rows))}
 
 
 def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:

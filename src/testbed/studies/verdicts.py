@@ -87,36 +87,25 @@ def said_of(plan: Plan, row: Mapping[Any, Any]) -> str:
     ended = "" if row["outcome"] == Outcome.completed else f"{row['outcome']} at {row['end_time_s']:.4g} s"
     short = missed(requirements := requirements_of(plan), row)
     if short is None:
-        return (
-            ended
-            if row["passed"] is not None
-            else "not judged: the controller says nothing of what is required"
-        )
+        unjudged = "not judged: the controller says nothing of what is required"
+        return unjudged if row["passed"] is None else ended
     more = f" and {short.others} more" if short.others else ""
-    return (
-        f"{ended}; ".removeprefix("; ")
-        + f"missed {requirements[short.number].title} ({short.value:.4g}){more}"
-    )
+    missed_most = f"missed {requirements[short.number].title} ({short.value:.4g}){more}"
+    return "; ".join(filter(None, [ended, missed_most]))
 
 
 def margin(requirement: Requirement, value: float) -> float:
     """Distance of a requirement's worst value from its limit, negative where it is missed; NaN without a value."""
     if requirement.longest_s is not None:
         return requirement.longest_s - value
-    limits = [
-        requirement.within - value if requirement.within is not None else math.nan,
-        requirement.at_most - value if requirement.at_most is not None else math.nan,
-        value - requirement.at_least if requirement.at_least is not None else math.nan,
-    ]
-    return min((limit for limit in limits if not math.isnan(limit)), default=math.nan)
+    limits = [most - value for most in (requirement.within, requirement.at_most) if most is not None]
+    limits += [] if requirement.at_least is None else [value - requirement.at_least]
+    return min(limits, default=math.nan)
 
 
 def _share(requirement: Requirement, value: float) -> float:
     """The margin as a share of the limit; 0, which is the least missed, without a value."""
     short = margin(requirement, value)
-    limit = next(
-        x
-        for x in (requirement.longest_s, requirement.within, requirement.at_most, requirement.at_least)
-        if x is not None
-    )
+    limits = (requirement.longest_s, requirement.within, requirement.at_most, requirement.at_least)
+    limit = next(each for each in limits if each is not None)
     return 0.0 if math.isnan(short) else short / max(abs(limit), 1e-9)

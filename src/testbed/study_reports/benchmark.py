@@ -6,6 +6,8 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from testbed.reporting.numbers import interval, number
+
 _FEW = 20
 """Draws below which nothing is said of a group: it would say little."""
 _WORST_GROUPS = 8
@@ -87,10 +89,8 @@ def _named(summary: Summary, name: str) -> str:
 def _where(summary: Summary) -> Iterator[Section]:
     """The groups in which another controller holds more, and the draws that only others hold."""
     first, lost = summary["reference"], summary["lost"][summary["reference"]]
-    title, rows = (
-        f"Where `{first}` loses",
-        sorted(_behind(summary), key=lambda row: float(row[2]) - float(row[3])),
-    )
+    title = f"Where `{first}` loses"
+    rows = sorted(_behind(summary), key=lambda row: float(row[2]) - float(row[3]))
     if rows:
         said = f"Groups of {_FEW} draws or more in which another that is told nothing holds more"
         said += ":" if len(rows) <= _WORST_GROUPS else f"; the {_WORST_GROUPS} widest gaps of {len(rows)}:"
@@ -154,12 +154,8 @@ def _parts(summary: Summary) -> Iterator[Section]:
                      _interval(against["inside"], "estimate", "+.3f")])  # fmt: skip
     if rows:
         head = ("controller", "without", "held", f"held, minus `{first}`", f"inside, minus `{first}`")
-        yield Section(
-            f"What the parts of `{first}` bring",
-            "The same law with a part switched off. An interval across zero shows neither good nor harm.",
-            head,
-            rows,
-        )
+        words = "The same law with a part switched off. An interval across zero shows neither good nor harm."
+        yield Section(f"What the parts of `{first}` bring", words, head, rows)
 
 
 def _halves(summary: Summary) -> Iterator[Section]:
@@ -188,11 +184,8 @@ def _overlap(one: Summary, two: Summary) -> bool:
 def _noticed(summary: Summary) -> Iterator[Section]:
     """What those noticed that name a failure at all."""
     broken = any(group != "none" for group in summary["by"]["failures"])
-    head = (
-        ["rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]"]
-        if broken
-        else []
-    )
+    flagged = ["rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]"]
+    head = ["controller", *(flagged if broken else ()), "healthy hours", "false alarms in them", "per hour"]
     rows = []
     for name in _shown(summary)[:-1]:
         score = summary["scores"][name]
@@ -206,31 +199,22 @@ def _noticed(summary: Summary) -> Iterator[Section]:
                          _interval(per_h, form=".2f")])  # fmt: skip
     if rows:
         words = "Those that never flag, or say nothing of failures, are left out." if broken else ""
-        yield Section(
-            "What was noticed",
-            words,
-            ("controller", *head, "healthy hours", "false alarms in them", "per hour"),
-            rows,
-        )
+        yield Section("What was noticed", words, head, rows)
 
 
 def _groups(summary: Summary) -> Iterator[Section]:
     """The shares held in each group, by the reference, the best other and the bound."""
-    first, names, rival = summary["reference"], _shown(summary), _best_rival(summary)
-    best = [] if rival is None else [rival]
+    rival = _best_rival(summary)
+    shown = [summary["reference"], *([] if rival is None else [rival]), summary["order"][-1]]
     title, words = "By group", f"Share of the draws held. Groups of fewer than {_FEW} draws are left out."
     for factor, said in _TITLES.items():
         groups = _large(summary, factor)
         if len(groups) > 1:
             rows = [
-                [
-                    group,
-                    str(each["draws"]),
-                    *(f"{each['held'][name] / each['draws']:.2f}" for name in (first, *best, names[-1])),
-                ]
+                [group, str(each["draws"]), *(f"{each['held'][name] / each['draws']:.2f}" for name in shown)]
                 for group, each in groups.items()
             ]
-            yield Section(title, words, (said, "draws", first, *best, names[-1]), rows)
+            yield Section(title, words, (said, "draws", *shown), rows)
             title = words = ""
 
 
@@ -264,20 +248,15 @@ def _reasons(summary: Summary) -> Iterator[Section]:
 def _flown(summary: Summary) -> str:
     said = f"Suite `{summary['suite']}`, version {summary['version']}, seed {summary['seed']}, {summary['draws']} draws."
     if summary.get("word"):
-        law = (
-            f"digest `{summary['law_sha256'][:16]}`"
-            if summary["law_sha256"]
-            else "digest, which was not recorded,"
-        )
+        digest = summary["law_sha256"]
+        law = f"digest `{digest[:16]}`" if digest else "digest, which was not recorded,"
         said += f" The seed is made from the law's {law} and the word `{summary['word']}`."
     return said
 
 
 def _interval(known: Summary, key: str = "estimate", form: str = ".3f") -> str:
-    if known[key] is None:
-        return ""
-    return f"{known[key]:{form}} ({known['low']:{form}} to {known['high']:{form}})"
+    return "" if known[key] is None else interval(known, key, form)
 
 
 def _number(value: float | None) -> str:
-    return "" if value is None else f"{value:.3g}"
+    return number(value, ".3g", absent="")

@@ -35,14 +35,9 @@ def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Te
 def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterator[Test]:
     """A test of each cell, which fails where it is worse or better than expected."""
     for cell in summary["cells"]:
-        about = [
-            cell["actuator"],
-            cell["failure"],
-            f"{cell['severity']:g}",
-            cell["weather"],
-            cell["controller"],
-        ]
-        name = ", ".join(filter(None, about))
+        shown = {**cell, "severity": f"{cell['severity']:g}"}
+        keys = ("actuator", "failure", "severity", "weather", "controller")
+        name = ", ".join(shown[key] for key in keys if shown[key])
         if cell["against"] != "as expected":
             said = f"{cell['result']}, expected {cell['expected']}: {cell['why'] or 'better'}"
             label = plan.variant_of(cell["controller"])

@@ -15,8 +15,8 @@ from testbed.reporting.words import passing, setting
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
-from testbed.studies.summary import requirement_shares, requirement_titles
-from testbed.studies.verdicts import judged, state
+from testbed.studies.summary import requirement_shares
+from testbed.studies.verdicts import judged, requirements_of, state
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 from testbed.study_reports.sweep.curves import errors, is_number, shares
 
@@ -41,7 +41,7 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
 
 def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """Probability that all requirements are met, and that each is met, with 95 % intervals."""
-    titles = requirement_titles(plan)
+    titles = [requirement.title for requirement in requirements_of(plan)]
     names = [passing(titles), *titles]
     drawn, ((axes,),) = figure(8.0, 0.9 + 0.42 * len(names))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):

@@ -22,23 +22,14 @@ def page_of(log: Path) -> Path:
 
 def write_kept_page(flight: Flight, log: Path) -> Path:
     """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
-    file = page_of(log)
-    back = html.note(f"Run {logs.run_of(log)} of ", html.link(f"a {_study(log).stem}", "../report.html"), ".")
-    return run_report.write_page(flight, file, again=_again(log), back=back, within=log.parent.parent)
-
-
-def _again(log: Path) -> html.Html:
+    study, (run, label) = file_of(log.parent.parent), logs.run_and_label(log.stem)
+    back = html.note(f"Run {run} of ", html.link(f"a {study.stem}", "../report.html"), ".")
     said = (
-        f"Run this in the folder of the {_study(log).stem}. It flies the same flight, and keeps its log in full precision; "
+        f"Run this in the folder of the {study.stem}. It flies the same flight, and keeps its log in full precision; "
         "here it has single precision."
     )
-    return html.joined(
-        [tag("p", said), tag("pre", only(logs.run_of(log), logs.label_of(log), _study(log).name))]
-    )
-
-
-def _study(log: Path) -> Path:
-    return file_of(log.parent.parent)
+    again = html.joined([tag("p", said), tag("pre", only(run, label, study.name))])
+    return run_report.write_page(flight, page_of(log), again=again, back=back, within=log.parent.parent)
 
 
 def only(run: int, variant: str, file: str) -> str:

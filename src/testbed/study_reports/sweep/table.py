@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pandas as pd
 from pandas.plotting import PlotAccessor
@@ -11,9 +11,6 @@ from pandas.plotting import PlotAccessor
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.html import Html, joined, tag
 from testbed.studies.folder.reading import load_plan
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 class SweepTable(pd.DataFrame):
@@ -40,7 +37,16 @@ class SweepPlot(PlotAccessor):
         """
         if args or options:
             return super().__call__(*(() if name == "probabilities" else (name,)), *args, **options)
-        return _draw(self._parent, str(name))  # type: ignore[attr-defined]
+        from testbed.study_reports.sweep.figures import TABLE
+
+        if name not in TABLE:
+            expected, suggestion = guess(name, TABLE)
+            raise BadInput(
+                [Problem(f"is no figure: {name}", "plot", expected=expected, suggestion=suggestion)]
+            )
+        frame: pd.DataFrame = self._parent  # type: ignore[attr-defined]
+        folder = Path(frame.attrs["folder"])
+        return TABLE[name](load_plan(folder), pd.DataFrame(frame), folder)
 
 
 def table_of(frame: pd.DataFrame) -> SweepTable:
@@ -48,13 +54,3 @@ def table_of(frame: pd.DataFrame) -> SweepTable:
     table = SweepTable(frame)
     table.attrs |= frame.attrs
     return table
-
-
-def _draw(frame: pd.DataFrame, name: str) -> Figure | None:
-    from testbed.study_reports.sweep.figures import TABLE
-
-    if name not in TABLE:
-        expected, suggestion = guess(name, TABLE)
-        raise BadInput([Problem(f"is no figure: {name}", "plot", expected=expected, suggestion=suggestion)])
-    folder = Path(frame.attrs["folder"])
-    return TABLE[name](load_plan(folder), pd.DataFrame(frame), folder)
