@@ -44,12 +44,12 @@ def fly_each(
     tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
     job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), fly, save_logs="none", time_limit_s=600.0)
     with workers(job, jobs) as fly_tasks:
-        for done, (task, flown) in enumerate(fly_tasks(tasks), 1):
+        for done, flown in enumerate(fly_tasks(tasks), 1):
             if flown.record.outcome in NO_RESULT:
                 raise SystemExit(f"a flight could not be flown: {flown.record.reason}: {flown.record}")
             if done % 100 == 0 or done == len(tasks):
                 print(f"\r{done} of {len(tasks)} flights", end="", file=sys.stderr, flush=True)
-            yield task.run, vars(flown.record)
+            yield flown.record.run, vars(flown.record)
     print(file=sys.stderr)
 
 

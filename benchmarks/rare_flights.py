@@ -19,8 +19,8 @@ from typing import Any
 import testbed
 from testbed.common.statistics import proportion
 from testbed.studies.folder import store
-from testbed.studies.search.limit_state import failed
 from testbed.studies.search.plan import coordinates
+from testbed.studies.search.run import failed
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "rare_flights.md"
 CASE = "scenarios/searches/rare_gust.yaml"

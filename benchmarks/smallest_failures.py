@@ -28,7 +28,7 @@ from testbed.studies.drawing.builder import Builder, Task, Variant
 from testbed.studies.drawing.distributions import Distribution
 from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import FlyAll, workers
-from testbed.studies.search.limit_state import robustness
+from testbed.studies.search.run import robustness
 from testbed.studies.search.space import Coordinate, Origin, Space
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "smallest_failures.md"
@@ -145,7 +145,7 @@ def searched(name: str, controller: str, flying: FlyAll, budget: int) -> Row:
             Task(i, 0, SEED, {"controller": dict(CONTROLLERS[controller]), "failures": failures, **values})
             for i, values in enumerate(space.values(u))
         ]
-        records = {task.run: flown.record for task, flown in flying(tasks)}
+        records = {flown.record.run: flown.record for flown in flying(tasks)}
         return np.array([robustness(records[i]) for i in range(len(u))])
 
     actuator = failures[0]["actuator"] if failures else ""

@@ -43,7 +43,8 @@ import yaml
 if TYPE_CHECKING:
     from testbed.studies.drawing.builder import Task
     from testbed.studies.flying.flight import Job
-    from testbed.studies.flying.pool import Done, FlyAll
+    from testbed.studies.flying.pool import FlyAll
+    from testbed.studies.record import Flown
 
 _SCENARIO = """\
 name: fuzz
@@ -243,11 +244,11 @@ def _here(job: Job, jobs: int | None, cluster: str | None) -> Iterator[FlyAll]:
     """Flies in this process, where an exception is a defect."""
     from testbed.studies.flying.flight import fly_task
 
-    def fly_all(tasks: Iterable[Task]) -> Iterator[Done]:
+    def fly_all(tasks: Iterable[Task]) -> Iterator[Flown]:
         for task in tasks:
             flown = fly_task(job, task)
             assert flown.record.outcome != "error", flown.record.reason
-            yield task, flown
+            yield flown
 
     yield fly_all
 

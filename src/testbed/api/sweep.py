@@ -214,11 +214,9 @@ def fly_run(
     the plan is of a folder that was begun with other inputs: the flight would be another one than the folder's.
     """
     job = _job_of_folder(plan, how)
-    done = fly_only(plan, run, job, how.jobs, None if variant is None else _numbered(plan, variant))
-    records = [flown.record for _, flown in done]
+    records = fly_only(plan, run, job, how.jobs, None if variant is None else _numbered(plan, variant))
     # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
-    again = [task for task, flown in done if flown.record.outcome not in NO_RESULT]
-    flights = {task.variant: flight_of(job, task) for task in again}
+    flights = {one.variant: flight_of(job, one) for one in records if one.outcome not in NO_RESULT}
     unflown = [f"run {run} has no result: {one.reason}" for one in records if one.outcome in NO_RESULT]
     if variant is not None and unflown:
         raise BadInput([Problem(unflown[0], "--only")])

@@ -104,20 +104,21 @@ class Flights:
         self._begun = self._ended = time.perf_counter()
         self.shown: Callable[[], None] = lambda: None
 
-    def fly(self, tasks: Iterable[Task], key: Callable[[Task], bytes]) -> Iterator[tuple[Task, Record]]:
+    def fly(self, tasks: Iterable[Task], key: Callable[[Task], bytes]) -> Iterator[Record]:
         """Fly those of the tasks that are missing; yields each when it is stored under its key, in any order."""
         folder = self.store.folder
-        for task, flown in self._fly_all(task for task in tasks if key(task) not in self.store):
+        for flown in self._fly_all(task for task in tasks if key(task) not in self.store):
+            record = flown.record
             if not self.count:
                 remove_results(folder)  # which are those of fewer flights
             if flown.log:
-                label = self.plan.variants[task.variant].label
-                write(log_file(folder, task.run, label), flown.log, within=folder)
-            self.store.add(key(task), flown.record, flown.history if self.plan.histories else b"")
+                label = self.plan.variants[record.variant].label
+                write(log_file(folder, record.run, label), flown.log, within=folder)
+            self.store.add(key(record), record, flown.history if self.plan.histories else b"")
             self.count, self._ended = self.count + 1, time.perf_counter()
-            self._flown_s += max(0.0, flown.record.end_time_s)  # NaN without a result
+            self._flown_s += max(0.0, record.end_time_s)  # NaN without a result
             self.shown()
-            yield task, flown.record
+            yield record
 
     def __str__(self) -> str:
         if not self.count:

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import takewhile
+from operator import attrgetter
 from pathlib import Path
 
 from testbed.common.statistics import proportion
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.flying.flight import Job
-from testbed.studies.flying.pool import Done, default_jobs, workers
+from testbed.studies.flying.pool import default_jobs, workers
 from testbed.studies.folder import table
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
 from testbed.studies.model import StopWhen
 from testbed.studies.plan import Plan
-from testbed.studies.record import key_of
+from testbed.studies.record import Record, key_of
 from testbed.studies.run import Flights, Options, fly_into
 
 
@@ -41,8 +42,8 @@ def fly_part(plan: Plan, folder: Path, options: Options, *, resume: bool = False
         passed = Passed(plan)
         flights.words = passed.words
         tasks = (plan.task(number) for number in range(plan.size) if number // len(plan.variants) % n == k)
-        for task, record in flights.fly(tasks, plan.key):
-            passed.add(task.variant, record.passed)
+        for record in flights.fly(tasks, plan.key):
+            passed.add(record.variant, record.passed)
 
     return fly_into(plan, folder, options, fly, resume=resume)
 
@@ -54,8 +55,8 @@ def fly_missing(flights: Flights) -> None:
     flights.words = passed.words
     stopping.advance(plan, store)
     numbers = takewhile(lambda _: stopping.stopped_at is None, range(plan.size))
-    for task, record in flights.fly(map(plan.task, numbers), plan.key):
-        passed.add(task.variant, record.passed)
+    for record in flights.fly(map(plan.task, numbers), plan.key):
+        passed.add(record.variant, record.passed)
         if stopping.advance(plan, store):
             break
     table.write(plan, lambda: records(plan, store, stopping.stopped_at), store.folder)
@@ -79,15 +80,15 @@ class Passed:
         return "  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n)
 
 
-def fly_only(plan: Plan, run: int, job: Job, jobs: int | None, variant: int | None = None) -> list[Done]:
-    """Fly all variants of one run, or one of them; returns them in order. Raises BadInput when there is no such run."""
+def fly_only(plan: Plan, run: int, job: Job, jobs: int | None, variant: int | None = None) -> list[Record]:
+    """Fly all variants of one run, or one of them; returns their records in order. Raises BadInput when there is no such run."""
     if not 0 <= run < plan.runs:
         raise BadInput([Problem(f"there is no run {run}", "--only", expected=f"0 to {plan.runs - 1}")])
     n = len(plan.variants)
     chosen = range(n) if variant is None else [variant]
     tasks = [plan.task(run * n + number) for number in chosen]
     with workers(job, min(len(tasks), jobs or default_jobs())) as fly_all:
-        return sorted(fly_all(tasks), key=lambda done: done[0].variant)
+        return sorted((flown.record for flown in fly_all(tasks)), key=attrgetter("variant"))
 
 
 class Stopping:

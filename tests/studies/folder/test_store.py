@@ -327,7 +327,7 @@ def test_flights_are_neither_held_nor_rewritten(tmp_path: Path) -> None:
 
 def first_record(plan: Plan) -> Record:
     with here().workers(here().job(plan), None, None) as fly_all:
-        ((_, flown),) = fly_all([plan.task(0)])
+        (flown,) = fly_all([plan.task(0)])
     return flown.record
 
 

@@ -34,7 +34,7 @@ def test_processes_stay_for_the_next_batch(tmp_path: Path) -> None:
         seen = set()
         for batch in range(3):
             tasks = plan.tasks(plan.parts[0], np.full((4, 2), 0.1 * batch), 4 * batch)
-            done = dict((task.run, flown) for task, flown in fly_all(tasks))
+            done = {flown.record.run: flown for flown in fly_all(tasks)}
             assert sorted(done) == [task.run for task in tasks]
             seen |= {flown.record.metrics["process"] for flown in done.values()}
     assert 1 <= len(seen) <= 2

@@ -9,7 +9,7 @@ import hashlib
 import json
 import platform
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -26,7 +26,7 @@ from testbed.studies.benchmark.load import law_sha256, load_suite
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.drawing.sampling import hashed
 from testbed.studies.flying.flight import FLY
-from testbed.studies.flying.pool import default_jobs, workers
+from testbed.studies.flying.pool import workers
 from testbed.studies.folder.begin import begun_with
 from testbed.studies.folder.store import Store
 from testbed.studies.record import Flown, key_of
@@ -155,30 +155,24 @@ def _wrong(entry: Entry, one: Flier) -> list[tuple[tuple[str, ...], str]]:
 
 def refuse_other(entry: Entry, plan: Benchmark, file: Path) -> None:
     """Raise BadInput when an entry cannot be compared with flights of this plan, environment and code."""
+    if problems := [Problem(f"was flown with {what}", str(file)) for what in _others(entry, plan)]:
+        raise BadInput(problems)
+
+
+def _others(entry: Entry, plan: Benchmark) -> Iterator[str]:
     here = begun_with(plan, FLY)
-    problems = [
-        Problem(
-            f"was flown with {name} {before or 'not installed'}, this is {now or 'not installed'}", str(file)
-        )
-        for name, now in _environment(here).items()
-        if (before := entry.environment.get(name)) != now
-    ]
-    for what, before, now in (
-        ("suite", entry.suite_sha256, plan.digest),
-        ("aircraft", entry.aircraft_sha256, here["aircraft_sha256"]),
-    ):
-        if before != now:
-            problems.append(Problem(f"was flown with another content of its {what}", str(file)))
-    if entry.law_sha256 != law_sha256() and any(
-        one.code_sha256 is None for one in entry.controllers.values()
-    ):
-        problems.append(Problem("was flown with other code of the shipped controllers", str(file)))
+    yield from differences({"versions": entry.environment}, {"versions": _environment(here)})
+    if entry.suite_sha256 != plan.digest:
+        yield "another content of its suite"
+    if entry.aircraft_sha256 != here["aircraft_sha256"]:
+        yield "another content of its aircraft"
+    shipped = any(one.code_sha256 is None for one in entry.controllers.values())
+    if shipped and entry.law_sha256 != law_sha256():
+        yield "other code of the shipped controllers"
     for name, one in entry.controllers.items():
         own = plan.builder.own.get(name)
         if one.code_sha256 is not None and own is not None and own.digest != one.code_sha256:
-            problems.append(Problem(f"was flown with other code of {name}", str(file)))
-    if problems:
-        raise BadInput(problems)
+            yield f"other code of {name}"
 
 
 def fly_again(entry: Entry, plan: Benchmark, draws: int, options: Options) -> list[Checked]:
@@ -186,8 +180,9 @@ def fly_again(entry: Entry, plan: Benchmark, draws: int, options: Options) -> li
     chosen = sorted(random.SystemRandom().sample(range(entry.draws), min(draws, entry.draws)))
     fliers = [j for j, name in enumerate(plan.labels) if name in entry.controllers]
     tasks = [plan.task(number * len(plan.labels) + j) for number in chosen for j in fliers]
-    with workers(options.job(plan), options.jobs or default_jobs(), options.cluster) as fly_all:
-        done = [(task.run, plan.labels[task.variant], mark(flown)) for task, flown in fly_all(tasks)]
+    with workers(options.job(plan), options.jobs, options.cluster) as fly_all:
+        flights = ((flown.record, mark(flown)) for flown in fly_all(tasks))
+        done = [(record.run, plan.labels[record.variant], now) for record, now in flights]
     marks = {name: one.flights.split() for name, one in entry.controllers.items()}
     return [Checked(draw, name, marks[name][draw], now) for draw, name, now in sorted(done)]
 
@@ -196,9 +191,8 @@ def verdict(entry: Entry, checked: Sequence[Checked]) -> tuple[bool, list[str]]:
     """Whether every flight ended as the entry says, and that in words."""
     ended = [each for each in checked if each.said[0] != each.now[0]]
     other = [each for each in checked if each.said != each.now and each not in ended]
-    lines = [
-        f"{len(checked) - len(ended) - len(other)} of {len(checked)} flights are the same to the last bit"
-    ]
+    same = len(checked) - len(ended) - len(other)
+    lines = [f"{same} of {len(checked)} flights are the same to the last bit"]
     if other:
         lines.append(f"{len(other)} ended the same with other digits, {_why(entry)}")
     lines += [f"draw {each.draw}, {each.controller}: did not end as the entry says" for each in ended]

@@ -65,10 +65,6 @@ class Builder:
         there = {**said, "name": folder} if isinstance(said, dict) else folder
         return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": there}))
 
-    def with_own(self, own: Mapping[str, OwnController]) -> Builder:
-        """The same builder with these controllers of the user's."""
-        return replace(self, own=own)
-
     def _of_another_controller(self, path: str, values: Mapping[str, Any]) -> bool:
         """Whether a path is a setting that another variant's controller has, but this variant's has not."""
         first, _, rest = path.partition(".")

@@ -143,8 +143,7 @@ class Connection:
         without_s = 0.0
         while True:
             try:
-                flown: Flown = future.result(_LOOK_S)
-                return flown
+                return future.result(_LOOK_S)
             except TimeoutError:
                 if future.done():
                     raise
@@ -189,6 +188,6 @@ def _children(packed: bytes) -> tuple[Children, tempfile.TemporaryDirectory[str]
     for file, content in files.items():
         write(Path(folder.name, file), content, within=Path(folder.name))
     own = {name: each.unpacked(Path(folder.name, _OWN, name)) for name, each in job.builder.own.items()}
-    builder = job.builder.with_aircraft(str(Path(folder.name, name))).with_own(own)
+    builder = replace(job.builder.with_aircraft(str(Path(folder.name, name))), own=own)
     parts = tuple(each.sent(Path(folder.name, _PARTS, each.name)) for each in job.parts)
     return Children(replace(job, builder=builder, parts=parts, search_path=())), folder

@@ -60,8 +60,7 @@ def flight_of(job: Job, task: Task) -> Flight:
     scenario = job.builder.scenario(task)
     own = job.builder.own_controller(task)
     if own is None:
-        flight: Flight = resolve_name(job.fly)(scenario)
-        return flight
+        return resolve_name(job.fly)(scenario)
     from testbed.simulation import fly
 
     return fly(scenario, own.load())

@@ -14,9 +14,7 @@ from testbed.studies.flying.flight import Job, fly_task
 from testbed.studies.flying.worker import Children
 from testbed.studies.record import Flown
 
-Done = tuple[Task, Flown]
-"""A task, and what is kept of its flight."""
-FlyAll = Callable[[Iterable[Task]], Iterator[Done]]
+FlyAll = Callable[[Iterable[Task]], Iterator[Flown]]
 """Flies every task; yields each as it finishes, in any order. Tasks are taken as there is room, in the caller's thread."""
 Workers = Callable[[Job, int | None, str | None], AbstractContextManager[FlyAll]]
 """What flies a job, for as long as a block lasts: `workers`, or `serial`."""
@@ -49,18 +47,19 @@ def workers(job: Job, jobs: int | None = None, cluster: str | None = None) -> It
 @contextmanager
 def serial(job: Job, jobs: int | None = None, cluster: str | None = None) -> Iterator[FlyAll]:
     """As `workers`, one flight after the other in this process, which a flight may then end."""
-    yield lambda tasks: ((task, fly_task(job, task)) for task in tasks)
+    yield lambda tasks: (fly_task(job, task) for task in tasks)
 
 
 def _fly_all(
     threads: ThreadPoolExecutor, there: Children | Connection, tasks: Iterable[Task]
-) -> Iterator[Done]:
+) -> Iterator[Flown]:
     feed = iter(tasks)
-    flying: dict[Future[Flown], Task] = {}
+    flying: set[Future[Flown]] = set()
     while True:
         for task in islice(feed, max(0, there.room() - len(flying))):
-            flying[threads.submit(there.fly, task)] = task
+            flying.add(threads.submit(there.fly, task))
         if not flying:
             return
         for future in wait(flying, return_when=FIRST_COMPLETED).done:
-            yield flying.pop(future), future.result()
+            flying.remove(future)
+            yield future.result()

@@ -89,8 +89,7 @@ class Child:
             self._pipe.send(task)
             while left_s > 0.0:
                 if self._pipe.poll(min(left_s, _SLICE_S)):
-                    flown: Flown = self._pipe.recv()
-                    return flown
+                    return self._pipe.recv()
                 left_s -= _SLICE_S
         except (EOFError, OSError):
             return None

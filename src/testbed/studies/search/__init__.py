@@ -1,9 +1,8 @@
 """Searches: the smallest failure that breaks a requirement, and the probability of a rare one.
 
 `load` reads a search file into a `plan`. Every value that varies has a coordinate in `space`, a standard normal number, so that
-distance from the origin is a measure of likelihood. `limit_state` is a flight as a function of these coordinates: its
-robustness, negative where a requirement is not met. `reliability` has the mathematics, which knows nothing of flights. `run` puts
-them together, and `summary` says what was found.
+distance from the origin is a measure of likelihood. `reliability` has the mathematics, which knows nothing of flights. `run` gives
+it the robustness of a flight as a function of these coordinates, and `summary` says what was found.
 
 A search that is resumed is done again from its beginning, with the flights of its store in place of those that have been flown. So
 its answer has the same bytes as that of a search without interruption.

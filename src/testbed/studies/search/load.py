@@ -90,9 +90,8 @@ def _parts(search: Search, source: Source, builder: Builder) -> Iterator[Part]:
     choices = {path: d for path, d in search.vary.items() if d.name == "choice"}
     rest = {path: d for path, d in search.vary.items() if d.name != "choice"}
     if not rest:
-        raise BadInput(
-            [source.problem(("vary",), "has choices only", "a value with a distribution to search in")]
-        )
+        expected = "a value with a distribution to search in"
+        raise BadInput([source.problem(("vary",), "has choices only", expected)])
     combinations = list(itertools.product(*(_options(d) for d in choices.values())))
     number = len(combinations) * len(builder.variants)
     if number > MOST_PARTS:

@@ -1,7 +1,11 @@
-"""Run a search into its folder: the flight at the origin of every part, then each part's search, then the table."""
+"""Run a search into its folder: the flight at the origin of every part, then each part's search, then the table.
+
+A flight is a limit state: its robustness is a function of the coordinates of what varies, and at or below 0 it fails.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,15 +21,74 @@ from testbed.reliability import (
     smallest_failure,
 )
 from testbed.studies.drawing.builder import Task
-from testbed.studies.flying.pool import Done
 from testbed.studies.folder import table
 from testbed.studies.folder.store import Store
-from testbed.studies.record import Record
+from testbed.studies.record import Flown, Record
 from testbed.studies.run import Flights, Options, Refused, fly_into
-from testbed.studies.search.limit_state import LimitState, failed, robustness
-from testbed.studies.search.plan import Part, SearchPlan
+from testbed.studies.search.plan import Part, Point, SearchPlan, key_of
 
 Answer = SmallestFailure | FailureProbability
+_LEAST = 1e-12
+"""What a requirement that is met exactly at its limit counts as."""
+
+
+class LimitState:
+    """The limit state of one part of a search. It flies what the store does not have, and keeps the order of points.
+
+    Attributes:
+        points: every point that was asked for, with its number, in the order of its first time.
+    """
+
+    def __init__(self, plan: SearchPlan, part: Part, flights: Flights) -> None:
+        self.part = part
+        self.points: dict[Point, int] = {}
+        self._plan, self._flights = plan, flights
+        self._nearest = math.inf
+
+    def __call__(self, u: np.ndarray) -> np.ndarray:
+        """[n] robustness of the flights at points [n, dimensions]; NaN for a flight without a result."""
+        rows = [tuple(map(float, row)) for row in np.atleast_2d(u)]
+        new = [row for row in dict.fromkeys(rows) if row not in self.points]
+        if new:
+            self._fly(new)
+        return np.array([robustness(self.record(row)) for row in rows])
+
+    def record(self, point: Point) -> Record:
+        """The record of the flight at a point that was asked for, whose number is its run."""
+        record = self._flights.store.record(key_of(self.part, point))
+        if record.variant != self.part.variant:
+            what = f"has variant {record.variant} in place of {self.part.variant}"
+            raise BadInput([Problem(what, str(self._flights.store.folder))])
+        return replace(record, run=self.points[point])
+
+    def _fly(self, points: list[Point]) -> None:
+        tasks = self._plan.tasks(self.part, np.array(points), len(self.points))
+        for task, point in zip(tasks, points, strict=True):
+            self.points[point] = task.run
+        at = {task.run: point for task, point in zip(tasks, points, strict=True)}
+        self._flights.words = self._words
+        for record in self._flights.fly(tasks, lambda task: key_of(self.part, at[task.run])):
+            if failed(record):
+                self._nearest = min(self._nearest, math.hypot(*at[record.run]))
+
+    def _words(self) -> str:
+        """`ACTUATOR: nearest failure at distance 2.31`, of the flights that have been flown."""
+        label, distance = self._plan.label(self.part), self._nearest
+        found = "no failure yet" if distance == math.inf else f"nearest failure at distance {distance:.2f}"
+        return f"{label}: {found}" if label else found
+
+
+def robustness(record: Record) -> float:
+    """The robustness in a flight's record, with the sign of its verdict: above 0 exactly if it passed; NaN without a result, or
+    where nothing was judged."""
+    if record.passed is None:
+        return math.nan
+    return max(record.robustness, _LEAST) if record.passed else min(record.robustness, 0.0)
+
+
+def failed(record: Record) -> bool:
+    """Whether a flight has a result, and a requirement was not met."""
+    return robustness(record) <= 0.0
 
 
 @dataclass(frozen=True)
@@ -86,7 +149,7 @@ class _Unflown(Exception):
     """A flight is asked for that the store does not have."""
 
 
-def _fly_none(tasks: Iterable[Task]) -> Iterator[Done]:
+def _fly_none(tasks: Iterable[Task]) -> Iterator[Flown]:
     for _ in tasks:
         raise _Unflown
     yield from ()

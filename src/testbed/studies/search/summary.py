@@ -28,24 +28,24 @@ def summarize(plan: SearchPlan, found: Sequence[Found]) -> Summary:
     parts = [_part(plan, each) for each in found]
     variants = [_variant(plan, number, found) for number in range(len(plan.variants))]
     first = nearest([part for part in parts if part["variant"] == 0])
-    summary = {
-        "search": plan.name,
-        "goal": plan.study.goal,
-        "requirement": plan.study.requirement,
-        "seed": plan.study.seed,
-        "budget": plan.study.budget,
-        "cov": plan.study.cov,
-        "method": plan.study.method,
-        "varied": [each.path for each in plan.parts[0].space.coordinates],
-        "found": first is not None,
-        "distance": None if first is None else first["distance"],
-        "probability": variants[0]["probability"],
-        "flights": sum(each.flights for each in found),
-        "variants": variants,
-        "parts": parts,
-    }
-    known: Summary = plain(summary)
-    return known
+    return plain(
+        {
+            "search": plan.name,
+            "goal": plan.study.goal,
+            "requirement": plan.study.requirement,
+            "seed": plan.study.seed,
+            "budget": plan.study.budget,
+            "cov": plan.study.cov,
+            "method": plan.study.method,
+            "varied": [each.path for each in plan.parts[0].space.coordinates],
+            "found": first is not None,
+            "distance": None if first is None else first["distance"],
+            "probability": variants[0]["probability"],
+            "flights": sum(each.flights for each in found),
+            "variants": variants,
+            "parts": parts,
+        }
+    )
 
 
 def nearest(parts: Sequence[Summary]) -> Summary | None:
