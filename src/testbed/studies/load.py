@@ -146,9 +146,8 @@ def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source
     """The study with these controllers among those compared; raises BadInput where they cannot be."""
     if "controller" in study.compare:
         what = "compares whole controllers, beside which --controller has no place"
-        raise BadInput(
-            [source.problem(("compare", "controller"), what, f"{TYPE} in compare, or a list of types")]
-        )
+        expected = f"{TYPE} in compare, or a list of types"
+        raise BadInput([source.problem(("compare", "controller"), what, expected)])
     chosen = base.tree.get("controller")
     flown = [chosen["type"]] if isinstance(chosen, dict) and "type" in chosen else []
     types = [*study.compare.get(TYPE, flown), *own]
@@ -169,11 +168,9 @@ def _place(source: Source, path: TreePath) -> str:
 
 def _variants(study: Study) -> Iterator[Variant]:
     for values in itertools.product(*study.compare.values()):
-        label = ", ".join(
-            v if isinstance(v, str) else f"{path} {_shown(v)}"
-            for path, v in zip(study.compare, values, strict=True)
-        )
-        yield Variant(label, dict(zip(study.compare, values, strict=True)))
+        chosen = dict(zip(study.compare, values, strict=True))
+        words = (v if isinstance(v, str) else f"{path} {_shown(v)}" for path, v in chosen.items())
+        yield Variant(", ".join(words), chosen)
 
 
 def _shown(value: Any) -> str:
@@ -187,11 +184,8 @@ def _runs(sweep: Sweep, source: Source, cases: list[dict[str, Any]] | None) -> i
         sizes = [distribution.grid_size(sweep.levels) for distribution in sweep.vary.values()]
         total = math.prod(sizes)
         if total > MOST_FLIGHTS or max(sizes) > MOST_LEVELS:
-            what, expected = (
-                f"a grid of {total:.3g} runs",
-                f"at most {MOST_FLIGHTS}, and {MOST_LEVELS} levels",
-            )
-            raise BadInput([source.problem(("sampling",), what, expected)])
+            expected = f"at most {MOST_FLIGHTS}, and {MOST_LEVELS} levels"
+            raise BadInput([source.problem(("sampling",), f"a grid of {total:.3g} runs", expected)])
     if total is not None and sweep.runs is not None and sweep.runs > total:
         what = f"is {describe(sweep.runs)}, there are {total}"
         raise BadInput([source.problem(("runs",), what, f"at most {total}, or no runs for all")])

@@ -72,11 +72,10 @@ class Plan:
     def task(self, k: int) -> Task:
         """Flight number k, from 0: run `k // len(variants)`, variant `k % len(variants)`."""
         run, variant = divmod(k, len(self.variants))
-        values = dict(self.draw(run))
-        seed = values.pop("seed", None) if self.cases is not None else None
-        return Task(
-            run, variant, sampling.hashed(self.study.seed, "run", run) if seed is None else seed, values
-        )
+        values, seed = dict(self.draw(run)), sampling.hashed(self.study.seed, "run", run)
+        if self.cases is not None:
+            seed = values.pop("seed", seed)
+        return Task(run, variant, seed, values)
 
     def key(self, task: Task) -> bytes:
         """The key by which a flight is stored, in whose order the table has the flights."""

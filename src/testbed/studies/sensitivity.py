@@ -45,10 +45,8 @@ def _of_output(frame: pd.DataFrame, inputs: Sequence[str], output: str) -> dict[
     reason = _too_few(y, output, varied)
     if reason:
         return {"reason": reason}
-    try:
-        from SALib.analyze import pawn, rbd_fast
-    except ImportError:
-        return {"reason": "SALib is not installed"}
+    from SALib.analyze import pawn, rbd_fast
+
     rng, n = np.random.default_rng(20), len(y)
     x = np.column_stack([*(_ranks(chosen[name], rng) for name in varied), rng.random((n, _DUMMIES))])
     with warnings.catch_warnings():

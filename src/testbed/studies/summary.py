@@ -31,20 +31,20 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
     """Contents of summary.json for the finished flights; a number that is not finite becomes None."""
     groups = list(groups_of(plan, frame))
     probabilistic = plan.cases is None and plan.sampling != "grid"
-    summary = {
-        "sweep": plan.name,
-        "seed": plan.study.seed,
-        "sampling": "cases" if plan.cases is not None else plan.sampling,
-        "probabilistic": probabilistic,
-        "runs": int(frame["run"].nunique()),
-        "runs_asked": plan.runs,
-        "complete": len(frame) == plan.size,
-        "varied": plan.paths,
-        "variants": [_variant(plan, label, rows) for label, rows in groups],
-        "pairs": [_pair(*one, *other) for one, other in itertools.combinations(groups, 2)],
-    }
-    known: dict[str, Any] = plain(summary)
-    return known
+    return plain(
+        {
+            "sweep": plan.name,
+            "seed": plan.study.seed,
+            "sampling": "cases" if plan.cases is not None else plan.sampling,
+            "probabilistic": probabilistic,
+            "runs": int(frame["run"].nunique()),
+            "runs_asked": plan.runs,
+            "complete": len(frame) == plan.size,
+            "varied": plan.paths,
+            "variants": [_variant(plan, label, rows) for label, rows in groups],
+            "pairs": [_pair(*one, *other) for one, other in itertools.combinations(groups, 2)],
+        }
+    )
 
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:

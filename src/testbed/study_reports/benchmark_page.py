@@ -41,9 +41,8 @@ def _part(section: Section) -> Html:
     title = tag("h2", _plain(section.title)) if section.title else None
     words = tag("p", _plain(section.words)) if section.words else None
     rows = (html.row(map(_plain, row)) for row in section.rows)
-    return html.joined(
-        [title, words, html.table(map(_plain, section.head), rows) if section.head else None], "\n"
-    )
+    table = html.table(map(_plain, section.head), rows) if section.head else None
+    return html.joined([title, words, table], "\n")
 
 
 def _plain(text: str) -> str:

@@ -74,13 +74,10 @@ def _cell(plan: MatrixPlan, cell: Cell, folder: Path) -> Html:
     variant = plan.variant_of(cell["controller"])
     page = f"{FOLDER}/{flight_label(cell['run'], variant)}.html"
     against = "" if cell["against"] == "as expected" else f" ({cell['against']})"
+    kind = f"cell {cell['result'].replace(' ', '-')}"
     return tag(
         "details",
-        tag(
-            "summary",
-            f"{cell['severity']:g}: {cell['result']}{against}",
-            class_=f"cell {cell['result'].replace(' ', '-')}",
-        ),
+        tag("summary", f"{cell['severity']:g}: {cell['result']}{against}", class_=kind),
         tag("p", cell["why"] or f"{cell['held']} of {cell['flights']} held"),
         tag("p", html.link("the flight", page)) if (folder / page).is_file() else None,
         tag("pre", only(cell["run"], in_file_names(variant), "matrix.yaml")),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import tempfile
-from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -43,15 +42,11 @@ def placed(name: str, craft: Craft) -> str:
     return name if craft.adopt is None else f"./{craft.adopt}"
 
 
-def provide(models: Iterable[str]) -> None:
-    """Adopt those of these models that the hangar does not have; raises BadInput if one cannot be adopted."""
-    for model in models:
-        folder = hangar() / model
-        if not folder.is_dir():
-            _adopt(model, folder)
-
-
-def _adopt(model: str, folder: Path) -> None:
+def provide(model: str) -> None:
+    """Adopt a model that the hangar does not have; raises BadInput if it cannot be adopted."""
+    folder = hangar() / model
+    if folder.is_dir():
+        return
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as partial:
         made = adopt(model, Path(partial) / model).folder
         try:

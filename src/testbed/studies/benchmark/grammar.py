@@ -104,9 +104,8 @@ def _truth(
     servos = [each for each in aircraft.actuators.values() if each.kind == "servo"]
     factor = dice.of(truth.servo)
     held = {f"{each.prefix}/servo-lag-rad_sec": _short(each.lag_rad_s * factor) for each in servos}
-    return {"name": place, **changes} if changes else place, [
-        {"type": "property", "at_s": 0.0, "set": held}
-    ] if slow else []
+    slowed: list[Values] = [{"type": "property", "at_s": 0.0, "set": held}] if slow else []
+    return {"name": place, **changes} if changes else place, slowed
 
 
 def _requirements(limits: Limits, span_m: float, airspeed_m_s: float) -> list[Values]:

@@ -44,22 +44,17 @@ def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compa
     """
     names = [text for text in given if "=" not in text]
     settings = dict(_settings(text) for text in given if _is_settings(text))
+    known = suite.controllers
     problems = [
-        Problem(
-            f"{suite.suite} has no controller {name!r}",
-            "--controller",
-            None,
-            "",
-            *guess(name, suite.controllers),
-        )
+        Problem(f"{suite.suite} has no controller {name!r}", "--controller", None, "", *guess(name, known))
         for name in names
-        if name not in suite.controllers
+        if name not in known
     ]
     own = own_controllers([text for text in given if "=" in text and not _is_settings(text)])
     problems += [
         Problem(f"{name} is a controller of {suite.suite}", "--controller", expected="another name")
         for name in (*own, *settings)
-        if name in suite.controllers
+        if name in known
     ]
     if problems:
         raise BadInput(problems)

@@ -36,7 +36,7 @@ class Flights(Builder):
         said = task.values["aircraft"]
         name = said if isinstance(said, str) else said["name"]
         if name.startswith("./"):
-            craft.provide([name.removeprefix("./")])
+            craft.provide(name.removeprefix("./"))
         return super().scenario(task)
 
     def source(self, values: Mapping[str, Any], seed: int) -> Source:
@@ -79,19 +79,14 @@ class Benchmark(Plan):
     @property
     def aircraft_names(self) -> list[str]:
         """Name or folder of every aircraft of the suite; those that are missing are adopted."""
-        craft.provide(one.adopt for one in self.suite.aircraft.values() if one.adopt is not None)
         return [self._placed(name) for name in self.suite.aircraft]
 
     def task(self, k: int) -> Task:
         """Flight number k, from 0: draw `k // controllers`, controller `k % controllers`."""
         number, variant = divmod(k, len(self.variants))
         one, seed = self._valid(number)
-        return Task(
-            number,
-            variant,
-            seed,
-            {"name": f"{self.suite.suite} {self.suite.version}, draw {number}", **one.values},
-        )
+        name = f"{self.suite.suite} {self.suite.version}, draw {number}"
+        return Task(number, variant, seed, {"name": name, **one.values})
 
     def groups(self, number: int) -> dict[str, str]:
         """What draw `number` is counted as: {factor: group}."""
@@ -105,9 +100,11 @@ class Benchmark(Plan):
         """The first of the attempts at a draw that is a valid scenario, and the flight's own seed."""
         entropy = int(self.digest, 16), self.study.seed, number
         seed, problems = hashed(*entropy, "flight"), list[Problem]()
+        crafts = self.suite.aircraft
         for attempt in range(_ATTEMPTS):
-            random = np.random.default_rng(np.random.SeedSequence([*entropy, attempt]))
-            one = self._attempt(Dice(random))
+            dice = Dice(np.random.default_rng(np.random.SeedSequence([*entropy, attempt])))
+            name = dice.among(list(crafts), (each.weight for each in crafts.values()))
+            one = drawn(self.suite, dice, name, crafts[name], load_aircraft(self._placed(name)))
             try:
                 self.builder.scenario(Task(number, 0, seed, {"name": "?", **one.values}))
                 return one, seed
@@ -116,23 +113,18 @@ class Benchmark(Plan):
         what = f"{self.suite.suite}: of {_ATTEMPTS} attempts at draw {number} none is a scenario; the last:"
         raise BadInput([Problem(what), *problems])
 
-    def _attempt(self, dice: Dice) -> Drawn:
-        each = self.suite.aircraft
-        name = dice.among(list(each), (one.weight for one in each.values()))
-        return drawn(self.suite, dice, name, each[name], load_aircraft(self._placed(name)))
-
     def _placed(self, name: str) -> str:
         one = self.suite.aircraft[name]
-        craft.provide([] if one.adopt is None else [one.adopt])
+        if one.adopt is not None:
+            craft.provide(one.adopt)
         return placed_name(craft.placed(name, one), self.builder.base.file)
 
     @cached_property
     def tree(self) -> dict[str, Any]:
         """What is flown, as benchmark.yaml says it: with the suite inside, it can be read again as it is."""
-        word = {"word": self.word} if self.word else {}
         return {
             "file": self.file,
-            **word,
+            **({"word": self.word} if self.word else {}),
             "seed": self.study.seed,
             **({"law_sha256": self.law} if self.law else {}),
             "draws": self.runs,

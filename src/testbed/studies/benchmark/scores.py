@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from scipy.stats import rankdata
 
 from testbed.common.files import plain
 from testbed.common.statistics import mean, paired, proportion, rate
@@ -107,7 +108,7 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
             for name in ("survived", "held", "inside")}  # fmt: skip
     for each in wide.values():
         each[BOUND] = each.max(axis=1)
-    known: Summary = plain(
+    return plain(
         {
             **{key: value for key, value in plan.tree.items() if key != "suite"},
             "suite": plan.suite.suite,
@@ -128,7 +129,6 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
             "lost": {name: list(_lost(plan, frame, wide, name)) for name in plan.labels},
         }
     )
-    return known
 
 
 def _ablated(controllers: Mapping[str, Any]) -> list[str]:
@@ -183,17 +183,15 @@ def _halves(plan: Benchmark, wide: Mapping[str, pd.DataFrame]) -> list[Summary]:
 
 
 def _ranks(inside: np.ndarray) -> list[Summary]:
-    """The rank of each column [draws, n] by its mean, 1 the largest, with the interval of 95 % of the bootstrap of the rows."""
+    """The rank of each column [draws, n] by its mean, 1 the largest, with the interval of 95 % of the bootstrap of the rows.
+
+    Of equal ones the first comes first.
+    """
     draws = len(inside)
     counts = np.random.default_rng(draws).multinomial(draws, [1.0 / draws] * draws, size=_RESAMPLES)
-    low, high = np.quantile(_places(counts @ inside), [0.025, 0.975], axis=0)
-    known = zip(_places(inside.sum(axis=0)), low, high, strict=True)
+    low, high = np.quantile(rankdata(-(counts @ inside), "ordinal", axis=-1), [0.025, 0.975], axis=0)
+    known = zip(rankdata(-inside.sum(axis=0), "ordinal"), low, high, strict=True)
     return [{"estimate": int(a), "low": float(b), "high": float(c)} for a, b, c in known]
-
-
-def _places(sums: np.ndarray) -> np.ndarray:
-    """The place of each along the last axis, 1 the largest; of equal ones the first comes first."""
-    return np.argsort(np.argsort(-sums, axis=-1, kind="stable"), axis=-1) + 1
 
 
 def _noticed(rows: pd.DataFrame) -> Summary:

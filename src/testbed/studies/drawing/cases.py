@@ -89,9 +89,8 @@ def _refuse_other(text: str, file: str) -> None:
 
 def _case(header: list[str], row: list[str], file: str, line: int, problems: list[Problem]) -> dict[str, Any]:
     if len(row) != len(header):
-        problems.append(
-            Problem(f"has {len(row)} cells", file, line, expected=f"{len(header)}, as the header")
-        )
+        expected = f"{len(header)}, as the header"
+        problems.append(Problem(f"has {len(row)} cells", file, line, expected=expected))
         return {}
     case = {}
     for name, cell in zip(header, row, strict=True):

@@ -195,18 +195,15 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     for name, digest in now.get("controllers_sha256", {}).items():
         if known.get(name) != digest:
             yield f"other code of {name}, which has changed since"
-    yield from _other_parts(before, now.get("parts_sha256", {}))
-
-
-def _other_parts(inputs: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[str]:
-    """What differs in the parts of the user's own; a folder of an earlier version was begun with none."""
-    before = inputs.get("parts_sha256", {})
-    for name in sorted({*before, *now}):
-        if name not in before:
+    parts, used = (
+        each.get("parts_sha256", {}) for each in (before, now)
+    )  # none in an earlier version's folder
+    for name in sorted({*parts, *used}):
+        if name not in parts:
             yield f"no parts {name}, which are used now"
-        elif name not in now:
+        elif name not in used:
             yield f"the parts {name}, which --with has to give"
-        elif before[name] != now[name]:
+        elif parts[name] != used[name]:
             yield f"other code of {name}, which has changed since"
 
 

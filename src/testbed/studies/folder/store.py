@@ -57,10 +57,8 @@ class Store:
     def __init__(self, database: sqlite3.Connection, folder: Path) -> None:
         """Take over an open database of the folder; raises BadInput when it is no store of flights."""
         self.folder, self._database, self._synced = folder, database, time.monotonic()
-        if [one[0] for one in self._all("PRAGMA application_id") + self._all("PRAGMA user_version")] != [
-            _APPLICATION,
-            _VERSION,
-        ]:
+        marks = self._all("PRAGMA application_id") + self._all("PRAGMA user_version")
+        if marks != [(_APPLICATION,), (_VERSION,)]:
             raise self._refused("is not of this version of testbed")
         tables = self._all("SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL ORDER BY name")
         if tables != [(table,) for table in _TABLES]:
@@ -186,13 +184,10 @@ def reading(folder: Path) -> Iterator[Store]:
     Raises BadInput when there is none, or none of ours.
     """
     if not exists(folder):
-        earlier = (folder / "journal.jsonl").is_file()
-        what = (
-            "was flown by an earlier version of testbed"
-            if earlier
-            else "no flight has finished in this folder"
-        )
-        raise BadInput([Problem(what, str(folder), expected="a folder of this version" if earlier else "")])
+        what, expected = "no flight has finished in this folder", ""
+        if (folder / "journal.jsonl").is_file():
+            what, expected = "was flown by an earlier version of testbed", "a folder of this version"
+        raise BadInput([Problem(what, str(folder), expected=expected)])
     with tempfile.TemporaryDirectory() if _log(folder).exists() else nullcontext() as copy:
         file = _copied(folder, Path(copy)) if copy else folder / NAME
         with closing(_store(folder, file, "mode=rw" if copy else "mode=ro&immutable=1")) as store:

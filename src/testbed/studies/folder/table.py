@@ -55,9 +55,8 @@ def columns(plan: Plan, records: Iterable[Record]) -> dict[str, type]:
         for name, value in row.items():
             if value is not None:
                 kinds.setdefault(name, set()).add(_kind(value))
-            (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
-                name
-            )
+            of_a_verdict = name.startswith("requirements.") and name not in plan.paths
+            (verdicts if of_a_verdict else middle).setdefault(name)
     head = ["run", "seed", *plan.study.compare, "outcome", "passed", *plan.paths, "end_time_s", "robustness"]
     rest = [name for name in middle if name not in head and name != "reason"]
     order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))
@@ -67,8 +66,8 @@ def columns(plan: Plan, records: Iterable[Record]) -> dict[str, type]:
     return {name: _type(kinds.get(name, set())) for name in dict.fromkeys([*head, *rest, *order, "reason"])}
 
 
-def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
-    """Write both files into a folder, completely or not at all; returns the columns. `records` is called twice."""
+def write(plan: Plan, records: Records, folder: Path) -> None:
+    """Write both files into a folder, completely or not at all. `records` is called twice."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -86,7 +85,6 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
         while group := list(itertools.islice(table, _GROUP)):
             writer.writerows(map(_cell, row.values()) for row in group)
             binary.write_table(pa.Table.from_pylist(group, schema))
-    return kinds
 
 
 def _kind(value: Any) -> type:

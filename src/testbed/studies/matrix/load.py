@@ -161,9 +161,8 @@ def _refuse_useless(matrix: Matrix, found: tuple[Cell, ...], source: Source) -> 
     possible = {cell.failure for cell in found if cell.broken is not None}
     why = {cell.failure: cell.reason for cell in found if cell.failure not in possible}
     if why and matrix.failures:
-        raise BadInput(
-            [source.problem(("failures",), f"{failure}: {reason}") for failure, reason in why.items()]
-        )
+        said = (f"{failure}: {reason}" for failure, reason in why.items())
+        raise BadInput(source.problem(("failures",), each) for each in said)
 
 
 def _refuse_unknown(plan: MatrixPlan, source: Source) -> None:

@@ -63,6 +63,5 @@ class Matrix(Study):
 
     def settings(self) -> dict[str, Any]:
         """As `Study.settings`."""
-        names = ("failures", "severities", "weather", "seeds", "at_s", "baseline")
-        shown = self.model_dump(mode="json", include=set(names), exclude_none=True)
-        return {name: shown[name] for name in names if name in shown}
+        own = set(Matrix.model_fields) - set(Study.model_fields)
+        return self.model_dump(mode="json", include=own, exclude_none=True)

@@ -88,11 +88,8 @@ def _asked(said: str | dict[str, Any]) -> tuple[str, str, dict[str, Any]]:
     given = {"type": said} if isinstance(said, str) else dict(said)
     kind = str(given.pop("type", ""))
     if kind not in _types():
-        expected, suggestion = guess(kind, _types())
-        problem = Problem(
-            f"is {kind!r} ({OWN_PART})", path="failures", expected=expected, suggestion=suggestion
-        )
-        raise BadInput([problem])
+        what = f"is {kind!r} ({OWN_PART})"
+        raise BadInput([Problem(what, "", None, "failures", *guess(kind, _types()))])
     own = {"actuator", "at_s", "until_s", "when"} & set(given)
     if own:
         what = f"has {', '.join(sorted(own))}"

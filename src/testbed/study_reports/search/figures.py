@@ -70,12 +70,8 @@ def levels(summary: Summary) -> Figure | None:
         spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in known]))
         ends = products * np.exp(np.outer([-1.96, 1.96], np.sqrt(np.log1p(spread**2))))
         look = {"capsize": 3, "ms": 4, "label": _label(part, shown), **nth(i, "marker")}
-        axes.errorbar(
-            [level["threshold"] for level in known],
-            products,
-            yerr=[products - ends[0], ends[1] - products],
-            **look,
-        )
+        thresholds = [level["threshold"] for level in known]
+        axes.errorbar(thresholds, products, yerr=[products - ends[0], ends[1] - products], **look)
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set(xlabel="robustness", ylabel="probability of at most this")

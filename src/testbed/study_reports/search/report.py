@@ -60,14 +60,10 @@ def _flight(part: Summary, folder: Path) -> Iterator[Html]:
     comparison = Comparison(flights, ["at the origin", "found"])
     page = comparison.write(folder / f"{name.replace('found', 'comparison', 1)}.html")
     label = f" ({part['label']})" if part["label"] else ""
-    yield html.picture(
-        picture(comparison), f"The flight found, and the one at the origin of the search{label}"
-    )
-    links = [
-        html.link("Both flights side by side", page.name),
-        html.link("the flight found", f"{name}/report.html"),
-    ]
-    yield html.note(html.joined(links, ", "), ".")
+    caption = f"The flight found, and the one at the origin of the search{label}"
+    yield html.picture(picture(comparison), caption)
+    both = html.link("Both flights side by side", page.name)
+    yield html.note(both, ", ", html.link("the flight found", f"{name}/report.html"), ".")
 
 
 def _head(summary: Summary) -> Html:

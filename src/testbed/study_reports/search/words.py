@@ -97,9 +97,9 @@ def _bound(part: Summary) -> str:
 
 def _distance(part: Summary) -> str:
     beyond = part["beyond"]
-    rare = (
-        f"about 1 flight in {rounded(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
-    )
+    rare = "worse ones are beyond counting"
+    if beyond:
+        rare = f"about 1 flight in {rounded(1.0 / beyond)} is worse"
     return f"Distance {part['distance']:.2f} standard deviations; if the limit is flat there, {rare}."
 
 
@@ -121,10 +121,7 @@ def _more_than_one(summary: Summary) -> Iterator[str]:
     ranked = sorted(
         variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True
     )
-    said = [
-        f"{v['label']} ({'none found' if v['distance'] is None else format(v['distance'], '.2f')})"
-        for v in ranked
-    ]
+    said = [f"{v['label']} ({number(v['distance'], '.2f', 'none found')})" for v in ranked]
     yield f"From the bigger failure needed to the smaller: {', '.join(said)}."
 
 

@@ -37,11 +37,9 @@ def _first(summary: Mapping[str, Any], best: Mapping[str, Any]) -> str:
     share = _share(best["all_requirements"], summary["probabilistic"])
     if not best["requirements"]:
         return f"{best['label'] or 'It'} flies to the end in {share}; nothing more is asked of it."
-    return (
-        f"{best['label']} meets all requirements in {share}."
-        if best["label"]
-        else f"All requirements are met in {share}."
-    )
+    if not best["label"]:
+        return f"All requirements are met in {share}."
+    return f"{best['label']} meets all requirements in {share}."
 
 
 def _share(known: Mapping[str, Any], probabilistic: bool) -> str:
@@ -79,9 +77,8 @@ def _misses(best: Mapping[str, Any]) -> Iterator[str]:
     if worst is not None and worst["successes"] < worst["n"]:
         yield f"{who} missed most often: {worst['name']} (in {worst['n'] - worst['successes']} of {worst['n']})."
     lost = _lost(best)
-    yield (
-        f"{who} lost the aircraft in {count(lost, 'flight')}." if lost else f"{who} never lost the aircraft."
-    )
+    ended = f"lost the aircraft in {count(lost, 'flight')}" if lost else "never lost the aircraft"
+    yield f"{who} {ended}."
     flown = {str(Outcome.completed), *LOSSES}
     if absent := sum(n for name, n in best["outcomes"].items() if name not in flown):
         yield f"{count(absent, 'flight')} gave no result."

@@ -92,10 +92,8 @@ def _change(label: str, one: pd.DataFrame, other: pd.DataFrame, plans: list[Plan
         raise BadInput([Problem("has no run that the other has flown", str(place))])
     both = pairs.dropna(subset=["passed_before", "passed_after"])
     passes = statistics.paired(both["passed_after"].tolist(), both["passed_before"].tolist())
-    names = [name for name in metric_names(plans[0], one) if name in other]
-    metrics = {
-        name: statistics.mean(_difference(pairs, name).tolist()) for name in names if _differs(pairs, name)
-    }
+    moved = {name: _difference(pairs, name) for name in metric_names(plans[0], one) if name in other}
+    metrics = {name: statistics.mean(by.tolist()) for name, by in moved.items() if (by != 0.0).any()}
     robustness = statistics.mean(_difference(pairs, "robustness").tolist())
     missing = len(one) + len(other) - 2 * len(pairs)
     return Change(label, pairs, passes, robustness, metrics, missing)
@@ -103,10 +101,6 @@ def _change(label: str, one: pd.DataFrame, other: pd.DataFrame, plans: list[Plan
 
 def _difference(pairs: pd.DataFrame, name: str) -> pd.Series:
     return (pairs[f"{name}_after"] - pairs[f"{name}_before"]).dropna()
-
-
-def _differs(pairs: pd.DataFrame, name: str) -> bool:
-    return bool((_difference(pairs, name) != 0.0).any())
 
 
 def sentences(changes: tuple[Change, ...], second: Path) -> Iterator[str]:

@@ -46,11 +46,8 @@ def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | Non
     drawn, ((axes,),) = figure(8.0, 0.9 + 0.42 * len(names))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
         total = judged(rows["passed"])
-        counts = [
-            (int(total.sum()), len(total)),
-            *(requirement_shares(rows, j) for j in range(len(names) - 1)),
-        ]
-        known = [proportion(*count) for count in counts]
+        each = (requirement_shares(rows, j) for j in range(len(titles)))
+        known = [proportion(*count) for count in ((int(total.sum()), len(total)), *each)]
         at = np.array([(share.estimate, share.low, share.high) for share in known])
         _intervals(axes, at, i, label, len(plan.variants), "x")
     axes.set(yticks=range(len(names)), yticklabels=[_short(n) for n in names], xlim=(-0.02, 1.02))
@@ -66,15 +63,8 @@ def _intervals(axes: Axes, known: np.ndarray, i: int, label: str, variants: int,
     where = np.arange(len(share)) + 0.12 * (i - (variants - 1) / 2)
     error = np.maximum([share - low, high - share], 0.0)
     at = (share, where) if along == "x" else (where, share)
-    look: dict[str, Any] = {
-        f"{along}err": error,
-        "ls": "",
-        "capsize": 2,
-        "ms": 4,
-        "label": label or None,
-        **nth(i, "marker"),
-    }
-    axes.errorbar(*at, **look)
+    look: dict[str, Any] = {f"{along}err": error, "label": label or None, **nth(i, "marker")}
+    axes.errorbar(*at, ls="", capsize=2, ms=4, **look)
 
 
 def pass_share(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:

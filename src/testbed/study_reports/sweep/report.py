@@ -39,13 +39,10 @@ def write_sweep_report(folder: str | Path) -> Path:
     folder = Path(folder).resolve()
     summary = read_json(folder / "summary.json", "the summary that testbed wrote")
     file, name = folder / "report.html", summary["sweep"]
-    if not (folder / "sweep.yaml").is_file():
+    if not (folder / "sweep.yaml").is_file() or not len(frame := reading.load(folder)):
         return html.write_page(file, name, parts(summary, folder))
-    plan, frame = reading.load_plan(folder), reading.load(folder)
-    inside = parts(summary, folder, moving=len(frame) > 0)
-    if not len(frame):
-        return html.write_page(file, name, inside)
-    return html.write_page(file, name, inside, "sweep.js", {"sweep": for_the_script(plan, frame, folder)})
+    data = {"sweep": for_the_script(reading.load_plan(folder), frame, folder)}
+    return html.write_page(file, name, parts(summary, folder, moving=True), "sweep.js", data)
 
 
 def parts(summary: Mapping[str, Any], folder: Path, *, moving: bool = False) -> Iterator[Part]:

@@ -40,10 +40,7 @@ class SweepPlot(PlotAccessor):
         from testbed.study_reports.sweep.figures import TABLE
 
         if name not in TABLE:
-            expected, suggestion = guess(name, TABLE)
-            raise BadInput(
-                [Problem(f"is no figure: {name}", "plot", expected=expected, suggestion=suggestion)]
-            )
+            raise BadInput([Problem(f"is no figure: {name}", "plot", None, "", *guess(str(name), TABLE))])
         frame: pd.DataFrame = self._parent  # type: ignore[attr-defined]
         folder = Path(frame.attrs["folder"])
         return TABLE[name](load_plan(folder), pd.DataFrame(frame), folder)
