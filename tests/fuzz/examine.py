@@ -354,12 +354,12 @@ def _run_folder(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.reporting.comparison.compare import compare
     from testbed.reporting.export import TABLE as FORMATS
     from testbed.reporting.figures import draw
-    from testbed.reporting.run_report import write_report
+    from testbed.reporting.run_report import write_page
 
     begin("reading")
     flight = testbed.load(received.FOLDER)
     begin("telling")
-    write_report(received.FOLDER)
+    write_page(flight, Path(received.FOLDER) / "report.html")
     flight._repr_html_()
     for to in FORMATS:
         flight.export(to, f"{received.FOLDER}/flight.{to}")

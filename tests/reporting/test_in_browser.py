@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 from chromium import Window, drawn, unreadable
+from html_page import write_report
 
 from testbed.flight.folder import write_run_folder
-from testbed.reporting.run_report import write_report
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 

@@ -8,16 +8,14 @@ from pathlib import Path
 
 import pytest
 from handmade import flight_of, injection, level_log
-from html_page import Page
+from html_page import Page, write_report
 
 from testbed.cli.commands import main
 from testbed.flight.flight import Outcome
 from testbed.flight.folder import write_run_folder
-from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE, measure, readings
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures import draw
-from testbed.reporting.run_report import write_report
 
 REQUIREMENTS = [
     {"name": "altitude <kept>", "passed": True, "value": 0.5, "limit": "", "margin": 0.25, "reason": ""},
@@ -98,9 +96,3 @@ def test_without_figures(tmp_path: Path) -> None:
     made = write_run_folder(flight_of(level_log()), tmp_path / "run", lambda f: void(write_report(f)))
     page = Page((made / "report.html").read_text(encoding="utf-8"))
     assert "img" not in page.tags and not list(made.glob(".*"))
-
-
-def test_refuses_what_is_no_run_folder(tmp_path: Path) -> None:
-    with pytest.raises(BadInput):
-        write_report(tmp_path)
-    assert not list(tmp_path.iterdir())

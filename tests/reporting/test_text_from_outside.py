@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from chromium import drawn
 from handmade import flight_of, injection, level_log
+from html_page import write_report
 from search_files import searched
 from search_files import written as search_written
 from sweep_files import SWEEP, fly_here, table, written
@@ -24,7 +25,6 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.reporting.comparison.compare import Comparison, compare
 from testbed.reporting.export import export
-from testbed.reporting.run_report import write_report
 from testbed.studies.load import load_sweep
 from testbed.study_reports.search.report import write_search_page
 from testbed.study_reports.sweep.report import write_sweep_report

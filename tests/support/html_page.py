@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from html.parser import HTMLParser
+from pathlib import Path
+
+from testbed.flight.folder import load
+from testbed.reporting.run_report import write_page
 
 _VOID = ("meta", "img", "br")
 """Elements that have no closing tag."""
@@ -40,3 +44,8 @@ class Page(HTMLParser):
         """Whether all that it shows is inside it: no script, and pictures as data only."""
         inside = all(reference.startswith("data:image/png;base64,") for reference in self.references)
         return inside and not {"script", "link", "iframe", "object"} & set(self.tags)
+
+
+def write_report(folder: Path) -> Path:
+    """Write the page of a run folder into it, with the figures that it has; returns the file."""
+    return write_page(load(folder), folder / "report.html", folder / "figures")

@@ -59,36 +59,25 @@ class ServoModel:
 
 
 class MotorModel:
-    """A motor and its propeller: {throttle [0 to 1], thrust_N: what reaches the airframe [N]}.
+    """A motor with its propeller, or an engine: {throttle [0 to 1], thrust_N: what reaches the airframe [N]}, and of an engine
+    {running: 1, or 0 without ignition or fuel}.
 
-    The throttle follows the command at once. Without power it is the voltage that the windmilling motor generates, over full
-    voltage. Speed and thrust of the rotor are not computed here: they are read from the plant.
+    The throttle follows the command at once. Of a motor without power it is the voltage that the windmilling motor generates, over
+    full voltage. Speed and thrust of the rotor are not computed here: they are read from the plant.
     """
 
-    def __init__(self, rpm_at_full: float) -> None:
-        """`rpm_at_full` is the motor's speed without load at full voltage [rpm]."""
+    def __init__(self, rpm_at_full: float | None) -> None:
+        """`rpm_at_full` is the motor's speed without load at full voltage [rpm]; None for an engine."""
         self._full = rpm_at_full
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        throttle = v["rpm"] / self._full if v["power-lost"] else _throttle(v)
-        return {"throttle": throttle, "thrust_N": v["effectiveness"] * v["thrust_N"]}
+        thrust = {"thrust_N": v["effectiveness"] * v["thrust_N"]}
+        if self._full is None:
+            return {"throttle": _throttle(v), "running": 0.0 if v["power-lost"] else 1.0, **thrust}
+        return {"throttle": v["rpm"] / self._full if v["power-lost"] else _throttle(v), **thrust}
 
 
-class EngineModel:
-    """An engine: {throttle, running: 1, or 0 without ignition or fuel, thrust_N: what reaches the airframe [N]}.
-
-    The throttle follows the command at once. The engine's thrust is not computed here: it is read from the plant.
-    """
-
-    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        return {
-            "throttle": _throttle(v),
-            "running": 0.0 if v["power-lost"] else 1.0,
-            "thrust_N": v["effectiveness"] * v["thrust_N"],
-        }
-
-
-Model = ServoModel | MotorModel | EngineModel
+Model = ServoModel | MotorModel
 """Expected response of one actuator. `advance` makes one control step of `substeps` physics steps of `dt_s` [s] each, and returns
 what acts on the airframe by the name of the quantity: see the classes."""
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from testbed.aircraft.description import AnyActuator, MotorActuator, Servo
 from testbed.common.units import DEGREES_PER_RADIAN, NEWTONS_PER_POUND
-from testbed.injection.expected_response import MOTOR, SERVO, EngineModel, Model, MotorModel, ServoModel
+from testbed.injection.expected_response import MOTOR, SERVO, Model, MotorModel, ServoModel
 from testbed.plant.jsbsim import Plant
 
 RECEIPT_STEPS = 50
@@ -89,6 +89,7 @@ class Watch:
         self._block = {name: get(f"{block}{name}") for name in names}
         self._observed: dict[str, Callable[[], float]]
         self._models: tuple[Model, Model]  # healthy and broken
+        full: float | None = None
         if not isinstance(actuator, Servo):
             engine = f"propulsion/engine[{actuator.engine}]"
             thrust, lost = get(f"{engine}/thrust-lbs"), get(f"{block}lost-thrust-lbs")
@@ -100,10 +101,9 @@ class Watch:
             if isinstance(actuator, MotorActuator):
                 self._block["rpm"] = get(f"{engine}/propeller-rpm")
                 full = actuator.motor.velocity_constant_rpm_v * actuator.motor.max_volts
-                self._models = MotorModel(full), MotorModel(full)
             else:
                 self._observed["running"] = get(f"{engine}/set-running")
-                self._models = EngineModel(), EngineModel()
+            self._models = MotorModel(full), MotorModel(full)
         else:
             effective = get(f"{block}effective-rad")
             demand, position = (get(f"{block}{name}")() for name in ("demand-rad", "servo-rad"))

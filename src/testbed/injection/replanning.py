@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from testbed.aircraft.description import Aircraft
 from testbed.failures import Failure, held_by, meet, stream_names, windows
@@ -30,15 +30,12 @@ def with_failure(planned: Sequence[Planned], failure: Failure, aircraft: Aircraf
         for one in planned
         if one.failure.at_s != failure.at_s or not names & held_by(one.failure, aircraft)
     ]
-    held = [held_by(one.failure, aircraft) for one in others]
-    lasting = windows([*(one.failure for one in others), failure], [*held, names])
     made = list[Planned]()
-    for one, its, window in zip(others, held, lasting, strict=False):
+    for one, (its, window, meets) in zip(others, _beside(others, failure, aircraft), strict=True):
         # One of its type that holds more would be replaced, and leave something broken that nothing mends.
         left = one.failure.until_s is None and window[1] == failure.at_s and not its <= names
-        in_the_way = its & names and (left or meet(window, lasting[-1]))
-        made += _ended(one, failure.at_s) if in_the_way else [one]
-    return _renumbered(planned, [*made, Planned(failure)])
+        made += _ended(one, failure.at_s) if its & names and (left or meets) else [one]
+    return _renumbered([*made, Planned(failure)])
 
 
 def mended(planned: Sequence[Planned], actuator: str, time_s: float) -> list[Planned]:
@@ -55,7 +52,7 @@ def mended(planned: Sequence[Planned], actuator: str, time_s: float) -> list[Pla
         what = f"{actuator} has no failure now"
         raise BadInput([Problem(what, "mend", expected=f"one of {', '.join(others)}" if others else "")])
     made = [new for one in planned for new in (_ended(one, time_s) if one in broken else [one])]
-    return _renumbered(planned, made)
+    return _renumbered(made)
 
 
 def _breaks(one: Planned, actuator: str, time_s: float) -> bool:
@@ -79,15 +76,11 @@ def _ended(one: Planned, at_s: float) -> list[Planned]:
 
 def _until_the_next(planned: Sequence[Planned], failure: Failure, aircraft: Aircraft) -> Failure:
     """The failure, with an end where another is planned to hold a property of it later."""
-    names = held_by(failure, aircraft)
-    each = [*(one.failure for one in planned), failure]
-    held = [held_by(one, aircraft) for one in each]
-    lasting = windows(each, held)
-    start_s = failure.window_s[0]
+    names, start_s = held_by(failure, aircraft), failure.window_s[0]
     later = [
         window[0]
-        for its, window in zip(held[:-1], lasting, strict=False)
-        if its & names and meet(window, lasting[-1]) and (window[0] > start_s or failure.at_s is None)
+        for its, window, meets in _beside(planned, failure, aircraft)
+        if its & names and meets and (window[0] > start_s or failure.at_s is None)
     ]
     if not later:
         return failure
@@ -97,17 +90,22 @@ def _until_the_next(planned: Sequence[Planned], failure: Failure, aircraft: Airc
     return failure.model_copy(update={"until_s": min(later)})
 
 
-def _renumbered(before: Sequence[Planned], after: list[Planned]) -> list[Planned]:
-    """`after`, or BadInput if one that has started would have drawn other random numbers."""
-    names = dict(
-        zip(map(id, _injections(before)), stream_names([one.failure for one in before]), strict=True)
+def _beside(
+    planned: Sequence[Planned], failure: Failure, aircraft: Aircraft
+) -> Iterator[tuple[frozenset[str], tuple[float, float], bool]]:
+    """Of each that is planned: the properties that it holds, when it holds them [s], and whether the failure does so meanwhile."""
+    each = [*(one.failure for one in planned), failure]
+    held = [held_by(one, aircraft) for one in each]
+    lasting = windows(each, held)
+    return (
+        (its, window, meet(window, lasting[-1])) for its, window in zip(held[:-1], lasting[:-1], strict=True)
     )
-    for one, name in zip(after, stream_names([one.failure for one in after]), strict=True):
-        if one.injection and one.injection.started and one.failure.draws and names[id(one.injection)] != name:
+
+
+def _renumbered(plan: list[Planned]) -> list[Planned]:
+    """The plan, or BadInput if one that has started would have drawn other random numbers."""
+    for one, stream in zip(plan, stream_names([one.failure for one in plan]), strict=True):
+        if one.injection and one.injection.started and one.failure.draws and one.injection.stream != stream:
             what = f"the random numbers of {one.failure.type} at {one.failure.at_s:g} s depend on one that would go"
             raise BadInput([Problem(what, path="failures")])
-    return after
-
-
-def _injections(planned: Sequence[Planned]) -> list[object]:
-    return [one.injection for one in planned]
+    return plan

@@ -22,26 +22,10 @@ def survived(readings: Readings) -> float:
     return float(readings.survived)
 
 
-def _error_max(readings: Readings, quantity: str) -> float:
-    return _largest(readings.error(quantity))
-
-
 def _error_rms(readings: Readings, quantity: str) -> float:
     """It does not use a dot product, whose last digit depends on the number of BLAS threads."""
     error = readings.error(quantity)
     return math.sqrt(float(np.square(error).mean())) if len(error) else math.nan
-
-
-def _error_end(readings: Readings, quantity: str) -> float:
-    return _largest(readings.error(quantity)[-1:])
-
-
-def _excursion_healthy(readings: Readings, quantity: str) -> float:
-    return _largest(readings.error(quantity)[: readings.first_failed_row()])
-
-
-def _excursion_failed(readings: Readings, quantity: str) -> float:
-    return _largest(readings.error(quantity)[readings.first_failed_row() :])
 
 
 def roll_excursion_failed_deg(readings: Readings) -> float:
@@ -97,18 +81,26 @@ def _of_each(
 _ERROR = "distance of {quantity} from its reference"
 TABLE = (
     survived,
-    *_of_each("{quantity}_error_max_{unit}", f"Largest {_ERROR}, over the whole flight [{{unit}}].", _error_max),
+    *_of_each(
+        "{quantity}_error_max_{unit}",
+        f"Largest {_ERROR}, over the whole flight [{{unit}}].",
+        lambda r, q: _largest(r.error(q)),
+    ),
     *_of_each("{quantity}_error_rms_{unit}", f"Root mean square {_ERROR}, over the whole flight [{{unit}}].", _error_rms),
-    *_of_each("{quantity}_error_end_{unit}", f"{_ERROR.capitalize()} in the last row of the log [{{unit}}].", _error_end),
+    *_of_each(
+        "{quantity}_error_end_{unit}",
+        f"{_ERROR.capitalize()} in the last row of the log [{{unit}}].",
+        lambda r, q: _largest(r.error(q)[-1:]),
+    ),
     *_of_each(
         "{quantity}_excursion_healthy_{unit}",
         f"Largest {_ERROR} before the first failure [{{unit}}].",
-        _excursion_healthy,
+        lambda r, q: _largest(r.error(q)[: r.first_failed_row()]),
     ),
     *_of_each(
         "{quantity}_excursion_failed_{unit}",
         f"Largest {_ERROR} since the first failure [{{unit}}]; NaN without a failure.",
-        _excursion_failed,
+        lambda r, q: _largest(r.error(q)[r.first_failed_row() :]),
     ),
     roll_excursion_failed_deg, beta_excursion_failed_deg, recovery_s,
     *_of_each(

@@ -16,15 +16,23 @@ from testbed.flight.columns import beliefs, row_at
 from testbed.flight.flight import Flight
 
 _LOSS = 0.1  # of effect, that an estimate is to find
-_NO_SIGN = ("works", "doubted")  # beliefs that do not say that something is broken
 
 
 def noticed_s(flight: Flight) -> list[float]:
     """Times at which it noticed something that was broken, in order [s]."""
     log, failures = flight.signals, failures_of(flight.events)
     flags = [event["time_s"] for event in flight.events if event["kind"] == "detection"]
-    taken = [b["time_s"] for b in beliefs(log, _broken(failures)) if _true(b, failures)]
+    taken = [
+        b["time_s"]
+        for b in signs(log, {failure.actuator for failure in failures if failure.actuator})
+        if any(f.actuator == b["actuator"] and f.from_s <= b["time_s"] < f.until_s for f in failures)
+    ]
     return sorted([*flags, *taken, *_estimated(log, failures)])
+
+
+def signs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:
+    """The beliefs (see `flight.columns.beliefs`) that say that something is broken."""
+    return [b for b in beliefs(log, actuators) if b["belief"] not in ("works", "doubted")]
 
 
 def unnoticed(log: Mapping[str, np.ndarray], failures: Iterable[ActiveFailure]) -> list[ActiveFailure]:
@@ -42,22 +50,11 @@ def _seen(log: Mapping[str, np.ndarray], failure: ActiveFailure) -> bool:
     return (
         (flagged is not None and bool(np.any(flagged[first:end] > 0.0)))
         or any(
-            b["belief"] not in _NO_SIGN and b["time_s"] < failure.until_s and b["until_s"] >= failure.from_s
-            for b in beliefs(log, [failure.actuator])
+            b["time_s"] < failure.until_s and b["until_s"] >= failure.from_s
+            for b in signs(log, [failure.actuator])
         )
         or next(_estimated(log, [failure]), None) is not None
     )
-
-
-def _broken(failures: Sequence[ActiveFailure]) -> list[str]:
-    return list(dict.fromkeys(failure.actuator for failure in failures if failure.actuator))
-
-
-def _true(belief: Mapping[str, Any], failures: Sequence[ActiveFailure]) -> bool:
-    """Whether a belief is of something broken at that time."""
-    of = [f for f in failures if f.actuator == belief["actuator"]]
-    wrong = belief["belief"] not in _NO_SIGN
-    return wrong and any(f.from_s <= belief["time_s"] < f.until_s for f in of)
 
 
 def _estimated(log: Mapping[str, np.ndarray], failures: Sequence[ActiveFailure]) -> Iterator[float]:

@@ -14,9 +14,10 @@ import numpy as np
 
 from testbed.common.units import unit as unit_of
 from testbed.flight.breakage import failures_of, response
-from testbed.flight.columns import beliefs, stuck_column
+from testbed.flight.columns import stuck_column
 from testbed.flight.flight import Flight
 from testbed.flight.recovery import UNITS, tracking_error
+from testbed.reporting.noticing import signs
 from testbed.reporting.words import believed, title
 
 
@@ -209,10 +210,9 @@ def _held(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
 def _taken_for(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
     """What the controller took an actuator for, where not for one that works, and when; to the end of the flight is without end."""
     end_s = float(flight.signals["time_s"][-1])
-    for belief in beliefs(flight.signals, [actuator]):
-        if belief["belief"] not in ("works", "doubted"):
-            until_s = belief["until_s"] if belief["until_s"] < end_s else math.inf
-            yield belief["time_s"], until_s, f"believed {believed(belief, flight.actuators)}"
+    for belief in signs(flight.signals, [actuator]):
+        until_s = belief["until_s"] if belief["until_s"] < end_s else math.inf
+        yield belief["time_s"], until_s, f"believed {believed(belief, flight.actuators)}"
 
 
 def actuators(flight: Flight) -> Iterator[Panel]:

@@ -1,16 +1,13 @@
-"""The report of a run folder: one page with the story of a flight, its replay, its panels, and every number."""
+"""The report of a flight: one page with its story, its replay, its panels, and every number."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from testbed.common.angles import unwrapped_deg
 from testbed.flight.flight import Flight
-from testbed.flight.folder import load
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.html import Html, Part, tag
@@ -20,15 +17,6 @@ from testbed.reporting.page.drawn import can_be_replayed, drawn
 from testbed.reporting.page.panels import groups
 from testbed.reporting.panels import error_of, shown_log
 from testbed.reporting.words import describe
-
-
-def write_report(folder: str | Path) -> Path:
-    """Write `report.html` into a run folder, from its log, summary and figures; returns the file.
-
-    Raises BadInput when it is not a run folder.
-    """
-    folder = Path(folder)
-    return write_page(load(folder), folder / "report.html", folder / "figures")
 
 
 def write_page(
@@ -53,18 +41,16 @@ def write_page(
         return html.write_page(file, flight.scenario.name, parts, within=within)
     turned = error_of("heading")
     log |= {turned: unwrapped_deg(log[turned])} if turned in log else {}  # it goes on beyond a half turn
-    moving, data = replay(flight, log, groups(flight, log))
-    return html.write_page(
-        file, flight.scenario.name, _parts(flight, moving, figures, again, back), "flight.js", data, within
-    )
-
-
-def replay(
-    flight: Flight, log: Mapping[str, np.ndarray], shown: list[dict[str, Any]]
-) -> tuple[Html, dict[str, Any]]:
-    """(timeline, replay and the panels `shown` in HTML, the data of the page) for `flight.js`; see `drawn.can_be_replayed`."""
+    shown = groups(flight, log)
     told, columns = packed(log)
-    return to_fill(shown, log), {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
+    happened = [
+        {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
+        for event in flight.events
+    ]
+    script = {"data": told, "panels": shown, **drawn(flight, log), "events": happened}
+    parts = _parts(flight, to_fill(shown, log), figures, again, back)
+    data = {"flight": script, "columns": columns}
+    return html.write_page(file, flight.scenario.name, parts, "flight.js", data, within)
 
 
 def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:
@@ -90,17 +76,3 @@ def to_fill(shown: list[dict[str, Any]], columns: Iterable[str]) -> Html:
         "div", tag("h2", "The flight"), [tag("div", id=place) for place in ("timeline", "replay")], html.note(said),
         map(html.panels, shown), html.folded("Any column of the log", any_column), class_="moving",
     )  # fmt: skip
-
-
-def _for_the_script(
-    flight: Flight, told: Mapping[str, Any], shown: list[dict[str, Any]], log: Mapping[str, np.ndarray]
-) -> dict[str, Any]:
-    return {
-        "data": told,
-        "panels": shown,
-        **drawn(flight, log),
-        "events": [
-            {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
-            for event in flight.events
-        ],
-    }

@@ -8,18 +8,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from testbed.common.signals import Belief
-from testbed.flight.breakage import ActiveFailure, broken, failure_times_s, failures_of
+from testbed.common.signals import BELIEFS, Belief
+from testbed.flight.breakage import ActiveFailure, broken, failures_of
 from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Flight
 from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
-from testbed.reporting.noticing import noticed_s, unnoticed
+from testbed.reporting.noticing import noticed_s, signs, unnoticed
 from testbed.reporting.panels import has_estimates
 from testbed.reporting.words import believed, broke, joined, title
 
@@ -41,18 +41,10 @@ _STAYED = (
 )
 
 
-class Stretch(NamedTuple):
-    """The rows from the beginning of some failures to the next ones, or to the end of the flight."""
-
-    begin_s: float
-    end_s: float
-    rows: slice
-
-
 def story(flight: Flight) -> list[str]:
     """Lines of one or more sentences each: the failures, the controller, the errors, and the end."""
     view = readings(flight)
-    parts = [_failures(flight), _controller(view), _errors(view), _end(flight)]
+    parts = [_failures(flight), _controller(view), _errors(view), _end(flight, view)]
     return [" ".join(sentences) for sentences in map(list, parts) if sentences]
 
 
@@ -95,21 +87,19 @@ def _failures(flight: Flight) -> Iterator[str]:
     told = [(each.from_s, _failure(flight, each)) for each in failures[:_MOST]]
     told += [(event["time_s"], _fault(flight, event)) for event in faults[:_MOST]]
     yield from (sentence for _, sentence in sorted(told, key=lambda each: each[0]))
-    if more := failures[_MOST:]:
-        said = "failure followed," if len(more) == 1 else "failures followed, the last"
-        yield f"{len(more)} more {said} at {more[-1].from_s:.1f} s."
-    if more_faults := faults[_MOST:]:
-        said = (
-            "fault of a sensor followed," if len(more_faults) == 1 else "faults of sensors followed, the last"
-        )
-        yield f"{len(more_faults)} more {said} at {more_faults[-1]['time_s']:.1f} s."
+    for one, several, times in (
+        ("failure", "failures", [failure.from_s for failure in failures]),
+        ("fault of a sensor", "faults of sensors", [event["time_s"] for event in faults]),
+    ):
+        if more := times[_MOST:]:
+            said = f"{one} followed," if len(more) == 1 else f"{several} followed, the last"
+            yield f"{len(more)} more {said} at {more[-1]:.1f} s."
 
 
 def _failure(flight: Flight, failure: ActiveFailure) -> str:
     late = " This had no effect on the aircraft." if failure.verified is False else ""
-    return (
-        f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{_until(failure.until_s, math.inf)}.{late}"
-    )
+    until = _until(failure.until_s, math.inf)
+    return f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{until}.{late}"
 
 
 def _fault(flight: Flight, begun: Mapping[str, Any]) -> str:
@@ -124,21 +114,13 @@ def _until(until_s: float, end_s: float) -> str:
     return f", until {until_s:.1f} s" if until_s < end_s else ""
 
 
-def stretches_of(view: Readings) -> list[Stretch]:
-    """One for each time at which failures began."""
-    times = view.failure_times_s()
-    ends = [*times, float(view.time_s[-1]) + view.step_s]
-    return [Stretch(begin, end, slice(view.row_at(begin), view.row_at(end))) for begin, end in pairwise(ends)]
-
-
 def _controller(view: Readings) -> Iterator[str]:
     """What the controller noticed and gave up."""
-    notices = [e for e in view.events if e["kind"] == "detection"]
-    false = [e for e in view.events if e["kind"] == "false_alarm"]
-    if view.failure_times_s() and not notices:
+    times, notices, false = view.failure_times_s(), view.of_kind("detection"), view.of_kind("false_alarm")
+    if times and not notices:
         yield _unnoticed(view, bool(false))
-    for stretch in stretches_of(view):
-        yield from _noticed(view, stretch, notices)
+    for begin_s, end_s in pairwise([*times, float(view.time_s[-1]) + view.step_s]):
+        yield from _noticed(view, begin_s, end_s, notices)
     yield from _used_on(view)
     yield from _missed(view)
     yield from _flagged_still(view)
@@ -160,17 +142,18 @@ def _unnoticed(view: Readings, false_alarms: bool) -> str:
     return "This controller never flags an actuator."
 
 
-def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:
-    """The sentence of one stretch: detections with their delays, axes given up, sideslip."""
-    here = {e["actuator"]: e for e in reversed(notices) if stretch.begin_s <= e["time_s"] < stretch.end_s}
-    if not here:
-        return
-    first = [
-        f"{_noticing(view, e, notices)}{_taken_for(view, e, stretch.end_s)}" for e in reversed(here.values())
-    ]
-    flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
-    gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
-    yield f"The controller {joined([*first, *gave_up, *_sideslip(view, stretch)])}."
+def _noticed(
+    view: Readings, begin_s: float, end_s: float, notices: Sequence[Mapping[str, Any]]
+) -> Iterator[str]:
+    """The sentence from some failures to the next ones: detections with their delays, axes given up, sideslip."""
+    flags = [e for e in notices if begin_s <= e["time_s"] < end_s]
+    here = {e["actuator"]: e for e in reversed(flags)}
+    if here:
+        first = [
+            f"{_noticing(view, e, notices)}{_taken_for(view, e, end_s)}" for e in reversed(here.values())
+        ]
+        gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
+        yield f"The controller {joined([*first, *gave_up, *_sideslip(view, begin_s, end_s)])}."
 
 
 def _noticing(view: Readings, notice: Mapping[str, Any], notices: Sequence[Mapping[str, Any]]) -> str:
@@ -198,12 +181,9 @@ def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
         f.until_s for f in failures_of(view.events) if f.actuator == name and f.from_s <= notice["time_s"]
     ]
     end_s = min(end_s, max((t for t in mended_s if t > notice["time_s"]), default=end_s))
-    end = view.row_at(end_s)
-    own = [
-        b
-        for b in beliefs({key: values[:end] for key, values in _of(view, name).items()}, [name])
-        if notice["time_s"] <= b["until_s"] and b["belief"] != "works"
-    ]
+    end, columns = view.row_at(end_s), ("time_s", *(f"{name}_{of}" for of in BELIEFS))
+    until = {column: view.log[column][:end] for column in columns if column in view.log}
+    own = [b for b in beliefs(until, [name]) if notice["time_s"] <= b["until_s"] and b["belief"] != "works"]
     own = [b for b in own if b["until_s"] - b["time_s"] >= _BRIEF_S or b is own[-1]]
     if not own:
         return ""
@@ -212,15 +192,6 @@ def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
     if first["belief"] == last["belief"]:
         return f" (as {said})"
     return f" (as {believed(first | {'position': math.nan}, view.actuators)}, from {last['time_s']:.1f} s on as {said})"
-
-
-def _of(view: Readings, name: str) -> dict[str, np.ndarray]:
-    """The columns that say what the controller took an actuator for."""
-    return {
-        key: view.log[key]
-        for key in ("time_s", f"{name}_belief", f"{name}_believed_position")
-        if key in view.log
-    }
 
 
 def _truly_at(view: Readings, belief: Mapping[str, Any]) -> str:
@@ -254,7 +225,7 @@ def _flagged_still(view: Readings) -> Iterator[str]:
 def _used_on(view: Readings) -> Iterator[str]:
     """What the controller took actuators for at last that it never flagged: late, offset, reversed."""
     for name in view.actuators:
-        own = [belief for belief in beliefs(view.log, [name]) if belief["belief"] not in ("works", "doubted")]
+        own = signs(view.log, [name])
         if own and not np.any(view.log[f"{name}_failed"] > 0.0):
             last, end_s = own[-1], own[-1]["until_s"]
             until = "on" if end_s >= view.time_s[-1] else f"to {end_s + view.step_s:.1f} s"
@@ -284,10 +255,9 @@ def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def _sideslip(view: Readings, stretch: Stretch) -> list[str]:
-    beta = view.log["beta_deg"][_tail(stretch.rows)]
-    short = stretch.end_s - stretch.begin_s < DWELL_S
-    if short or not view.survived or abs(beta.mean()) < max(0.5, 2.0 * beta.std()):
+def _sideslip(view: Readings, begin_s: float, end_s: float) -> list[str]:
+    beta = view.log["beta_deg"][_tail(slice(view.row_at(begin_s), view.row_at(end_s)))]
+    if end_s - begin_s < DWELL_S or not view.survived or abs(beta.mean()) < max(0.5, 2.0 * beta.std()):
         return []
     return [f"flew on with {abs(beta.mean()):.1f} deg of sideslip"]
 
@@ -356,40 +326,35 @@ def _speed(view: Readings, first: int) -> Iterator[str]:
         yield f"On average it flew {abs(mean):.1f} m/s {side} than its reference in the last {last:.1f} s."
 
 
-def _end(flight: Flight) -> Iterator[str]:
+def _end(flight: Flight, view: Readings) -> Iterator[str]:
     """Recovered, held, held without noticing, not recovered, or lost and why."""
-    for event in flight.events:
-        if event["kind"] == "lost":
-            yield from _lost(flight, event)
-    times = failure_times_s(flight.events)
-    if not times or flight.outcome is not Outcome.completed:
+    for event in view.of_kind("lost"):
+        yield from _lost(flight, event)
+    times = view.failure_times_s()
+    if not times or not view.survived:
         return
-    limits = _within(RECOVERED)
-    last = [e for e in flight.events if e["kind"] == "recovered" and e["time_s"] >= times[-1]]
-    if not last:
-        yield _not_recovered(flight, times[-1])
+    back = next((e for e in view.of_kind("recovered") if e["time_s"] >= times[-1]), None)
+    if back is None:
+        yield _not_recovered(view, times[-1])
         return
     latest = [f for f in failures_of(flight.events) if f.from_s == times[-1]]
-    unseen = not any(time >= times[-1] for time in noticed_s(flight)) and len(
-        unnoticed(flight.signals, latest)
-    ) == len(latest)
-    if last[0]["after_s"] > 0.0:
-        after = f"{last[0]['after_s']:.1f} s after the failure{', which it did not notice' if unseen else ''}"
-        yield f"Recovered {after}: within {limits} from then on."
+    unseen = all(time < times[-1] for time in noticed_s(flight)) and unnoticed(view.log, latest) == latest
+    if back["after_s"] > 0.0:
+        after = f"{back['after_s']:.1f} s after the failure{', which it did not notice' if unseen else ''}"
+        yield f"Recovered {after}: within {_within(RECOVERED)} from then on."
     else:
         held = "Held, not noticed" if unseen else "It held"
         yield f"{held}: {_STAYED} of their references."
 
 
-def _not_recovered(flight: Flight, failed_s: float) -> str:
+def _not_recovered(view: Readings, failed_s: float) -> str:
     """The sentence of a flight without a recovery since its last failure, which may only have been too late for one."""
-    if left := _left(flight):
+    end = len(view.time_s)
+    tail = _tail(slice(min(view.first_failed_row(), end - 1), end))
+    if left := [q for q in _TRACKED if np.abs(view.error(q)[tail]).max() > RECOVERED[q]]:
         return f"Not recovered: it did not stay within {_within(left)}."
-    view = readings(flight)
-    rows = slice(
-        min(view.row_at(failed_s), len(view.time_s) - 1), len(view.time_s)
-    )  # it may be after the last row
-    if all(np.abs(view.error(q)[rows]).max() <= RECOVERED[q] for q in _TRACKED):
+    first = min(view.row_at(failed_s), end - 1)  # it may be after the last row
+    if all(np.abs(view.error(q)[first:]).max() <= RECOVERED[q] for q in _TRACKED):
         return f"So far it held: {_STAYED} of their references, but less than {DWELL_S:g} s were flown after the failure."
     return (
         f"Not recovered: it was back within {_within(RECOVERED)} for less than {DWELL_S:g} s before the end."
@@ -398,13 +363,6 @@ def _not_recovered(flight: Flight, failed_s: float) -> str:
 
 def _within(quantities: Iterable[str]) -> str:
     return " and ".join(f"{RECOVERED[q]:g} {_TRACKED[q]} of {q}" for q in quantities)
-
-
-def _left(flight: Flight) -> list[str]:
-    """The quantities that end beyond the limits of a recovery."""
-    view = readings(flight)
-    tail = _tail(slice(min(view.first_failed_row(), len(view.time_s) - 1), len(view.time_s)))
-    return [q for q in _TRACKED if np.abs(view.error(q)[tail]).max() > RECOVERED[q]]
 
 
 def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:

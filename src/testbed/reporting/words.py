@@ -53,6 +53,16 @@ def broke(flight: Flight, number: int) -> str:
     return f"{f'the {title(name)} ' if name else ''}{failure.words(kind, unit)}"
 
 
+def units_of(flight: Flight) -> dict[str, str]:
+    """{column: unit} of the log; "1" for what has none, such as an effectiveness or a flag."""
+    known = {
+        f"{name}_{of}": str(facts.get("unit", ""))
+        for name, facts in flight.actuators.items()
+        for of in ("reference", "command", "position", "believed_position")
+    }
+    return {column: known.get(column) or unit(column) or "1" for column in flight.columns}
+
+
 def setting(path: str) -> str:
     """A setting by its dotted path, in words: `failures.0.from_deg` is `failure 1: from [deg]`."""
     said: list[tuple[str, str]] = []

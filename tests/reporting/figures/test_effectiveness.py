@@ -9,7 +9,7 @@ from figure_flights import broken, panels
 from handmade import flight_of, injection, level_log
 
 from testbed.common.signals import Belief
-from testbed.reporting.comparison.differences import Compared
+from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.panels import columns_of
 from testbed.reporting.comparison.panels import groups as of_comparison
 from testbed.reporting.figures import plot
@@ -63,7 +63,7 @@ def test_compared_flights_share_what_is_true_only_where_it_is_the_same() -> None
     weak["elevon_effectiveness"][300:] = 0.2
     shorter = {name: values[:800] for name, values in estimating.items()}
     for other, labels in ((shorter, ["true"]), (weak, ["true, a", "true, b"])):
-        compared = Compared([flight_of(estimating), flight_of(other)], ["a", "b"])
+        compared = Comparison([flight_of(estimating), flight_of(other)], ["a", "b"])
         (group,) = (
             g for g in of_comparison(compared, columns_of(compared.flights)) if g["name"] == "effectiveness"
         )

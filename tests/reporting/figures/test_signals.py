@@ -7,7 +7,7 @@ from figure_flights import EVENTS, panels
 from handmade import flight_of, level_log
 
 from testbed.reporting.figures import plot
-from testbed.reporting.figures.signals import band
+from testbed.reporting.figures.lines import band
 
 TIME = np.arange(12000) / 200.0
 NOISE = np.random.default_rng(1).standard_normal(12000)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from string import ascii_uppercase
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,15 +13,11 @@ from testbed.flight.flight import Flight
 from testbed.reporting.words import broke, joined, setting
 from testbed.scenario.load import Scenario
 
-if TYPE_CHECKING:
-    import pandas as pd
-
 FLOWN = (
     "north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg", "alpha_deg", "beta_deg",
     "p_deg_s", "q_deg_s", "r_deg_s",
 )  # fmt: skip
 """Columns of how the aircraft truly moves."""
-_MOST_LETTERS = 80  # of all names together, that one line or the heads of a table can take
 _MOST_NAMED = 2  # failures in the name of a flight
 _SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
 
@@ -44,43 +39,6 @@ class FirstDifference(NamedTuple):
     columns: tuple[str, ...]
     moved_s: float | None
     moved: tuple[str, ...]
-
-
-class Compared:
-    """Flights side by side, each with a name. The first is the one that the others are compared with.
-
-    Attributes:
-        names: what tells each flight from the others.
-        keys: the same, short: letters, with which the names begin then, where the names are long together.
-    """
-
-    def __init__(
-        self, flights: Sequence[Flight], names: Sequence[str] | None = None, folders: Sequence[str] = ()
-    ) -> None:
-        """Without `names` each flight is named by what is different about it, else by its folder if those are given."""
-        self.flights = tuple(flights)
-        own = names_of(self.flights, folders) if names is None else list(names)
-        long = len(own) > 2 and sum(map(len, own)) > _MOST_LETTERS
-        self.keys = list(ascii_uppercase[: len(own)]) if long else own
-        self.names = [f"{key}: {name}" for key, name in zip(self.keys, own, strict=True)] if long else own
-
-    @property
-    def settings(self) -> list[Setting]:
-        """What the scenarios have that differs: {path, values}, a value for each flight."""
-        return settings(self.flights)
-
-    @property
-    def first_differences(self) -> list[FirstDifference]:
-        """Where the log of each other flight first differs from that of the first."""
-        return [first_difference(self.flights[0], flight) for flight in self.flights[1:]]
-
-    @property
-    def metrics(self) -> pd.DataFrame:
-        """The metrics, a row for each, with a column for each flight."""
-        import pandas as pd
-
-        named = zip(self.keys, self.flights, strict=True)
-        return pd.DataFrame({name: dict(flight.metrics) for name, flight in named})
 
 
 def names_of(flights: Sequence[Flight], folders: Sequence[str] = ()) -> list[str]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from testbed.flight.breakage import failure_times_s, failures_of
-from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.panels import columns_of, of_all
 from testbed.reporting.figures.events import MARKERS, STYLES, Mark
 from testbed.reporting.figures.lines import Shown
@@ -15,11 +15,14 @@ from testbed.reporting.palette import COLOURS
 from testbed.reporting.panels import error_panel, states
 from testbed.reporting.words import broke, joined
 
+if TYPE_CHECKING:
+    from testbed.reporting.comparison.compare import Comparison
+
 _TALL = 1.5  # inches, of a panel
 _MOST_DEG = 360.0  # of heading: a lost aircraft turns and turns
 
 
-def picture(comparison: Compared) -> bytes:
+def picture(comparison: Comparison) -> bytes:
     """The figure as a PNG."""
     log = columns_of(comparison.flights)
     title, broken = comparison.flights[0].scenario.name, _broken(comparison)
@@ -36,7 +39,7 @@ def picture(comparison: Compared) -> bytes:
         return png(Sheet().draw(shown, list(panels), "", _TALL))
 
 
-def _marks(comparison: Compared) -> Iterator[Mark]:
+def _marks(comparison: Comparison) -> Iterator[Mark]:
     """When failures began, and in which flights if not in all, and when each flight was lost, in its colour."""
     began: dict[float, list[str]] = {}
     for name, flight in zip(comparison.keys, comparison.flights, strict=True):
@@ -51,7 +54,7 @@ def _marks(comparison: Compared) -> Iterator[Mark]:
             yield Mark(flight.end_time_s, f"{name} lost", look, MARKERS["lost"])
 
 
-def _broken(comparison: Compared) -> str:
+def _broken(comparison: Comparison) -> str:
     """What broke an actuator in all of the flights."""
     first = comparison.flights[0]
     failures = failures_of(first.events)

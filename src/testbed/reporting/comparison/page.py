@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from testbed.reporting import html
-from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.panels import columns_of, groups
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import rounded
@@ -18,10 +17,13 @@ from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
 from testbed.reporting.words import VERDICTS, setting
 
+if TYPE_CHECKING:
+    from testbed.reporting.comparison.compare import Comparison
+
 _MOST_COLUMNS = 4  # named where logs differ first
 
 
-def write(comparison: Compared, file: Path) -> Path:
+def write(comparison: Comparison, file: Path) -> Path:
     """Write the page; returns its file. Raises OSError when it cannot be written."""
     log = columns_of(comparison.flights)
     shown = groups(comparison, log)
@@ -35,7 +37,7 @@ def write(comparison: Compared, file: Path) -> Path:
     return html.write_page(file, title, parts, "compare.js", {"comparison": data, "columns": columns})
 
 
-def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Iterator[Part]:
+def _parts(comparison: Comparison, title: str, shown: list[dict[str, Any]]) -> Iterator[Part]:
     from testbed.reporting.comparison.figure import picture
 
     yield html.opening(title, sentences(comparison))
@@ -55,12 +57,12 @@ def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Ite
     yield _settings(comparison)
 
 
-def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
+def _flights(comparison: Comparison) -> Iterator[dict[str, Any]]:
     for key, name, flight in zip(comparison.keys, comparison.names, comparison.flights, strict=True):
         yield {"key": key, "name": name, **drawn(flight, flight.signals)}
 
 
-def sentences(comparison: Compared) -> list[str]:
+def sentences(comparison: Comparison) -> list[str]:
     """How each flight ended, what is set otherwise, and from when on they differ."""
     lines = [_ended(i, comparison) for i in range(len(comparison.flights))]
     differing = _paths(comparison)
@@ -82,7 +84,7 @@ def sentences(comparison: Compared) -> list[str]:
     return lines
 
 
-def _paths(comparison: Compared) -> list[str]:
+def _paths(comparison: Comparison) -> list[str]:
     """The settings that differ; those of controllers of another type, and requirements, are not named one by one."""
     paths = [each.path for each in comparison.settings]
     whole = {"requirements.": "requirements"}
@@ -92,7 +94,7 @@ def _paths(comparison: Compared) -> list[str]:
     return [*said, *(setting(path) for path in paths if not path.startswith(tuple(whole)))]
 
 
-def _ended(i: int, comparison: Compared) -> str:
+def _ended(i: int, comparison: Comparison) -> str:
     flight = comparison.flights[i]
     worst = ", ".join(
         f"{flight.metrics[name]:.3g} {unit}"
@@ -107,19 +109,19 @@ def _ended(i: int, comparison: Compared) -> str:
     return f"{comparison.names[i]}: {flight.verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
-def summary(comparison: Compared) -> Html:
+def summary(comparison: Comparison) -> Html:
     """The sentences and the metrics, for a notebook."""
     return html.joined([html.listed(sentences(comparison), "story"), _metrics(comparison)])
 
 
-def _stories(comparison: Compared) -> Iterator[Html]:
+def _stories(comparison: Comparison) -> Iterator[Html]:
     yield tag("h2", "Each flight told")
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
         yield tag("h3", html.mark(i), " ", name)
         yield html.listed(story(flight))
 
 
-def _requirements(comparison: Compared) -> Iterator[Html]:
+def _requirements(comparison: Comparison) -> Iterator[Html]:
     verdicts = [{r["name"]: r for r in flight.requirements} for flight in comparison.flights]
     rows = []
     for name in dict.fromkeys(name for one in verdicts for name in one):
@@ -139,7 +141,7 @@ def _requirements(comparison: Compared) -> Iterator[Html]:
         yield html.table(["requirement", *comparison.keys], ordered, caption)
 
 
-def _metrics(comparison: Compared) -> Iterator[Html]:
+def _metrics(comparison: Comparison) -> Iterator[Html]:
     """The metrics that differ, and the others folded away."""
     rows: dict[bool, list[Html]] = {True: [], False: []}
     for name, values in comparison.metrics.iterrows():
@@ -157,7 +159,7 @@ def _metrics(comparison: Compared) -> Iterator[Html]:
         yield html.folded("Metrics that are the same", html.table(heads, rows[False]))
 
 
-def _settings(comparison: Compared) -> Iterator[Html]:
+def _settings(comparison: Comparison) -> Iterator[Html]:
     rows = [
         html.row([setting(each.path), *("-" if value is None else str(value) for value in each.values)])
         for each in comparison.settings

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from testbed.common.angles import unwrapped_deg
 from testbed.common.units import unit
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison.differences import Compared, minus, on_grid
+from testbed.reporting.comparison.differences import minus, on_grid
 from testbed.reporting.page.panels import group_of
 from testbed.reporting.panels import (
     TRACKED,
@@ -26,6 +26,9 @@ from testbed.reporting.panels import (
     shown_log,
     states,
 )
+
+if TYPE_CHECKING:
+    from testbed.reporting.comparison.compare import Comparison
 
 _STYLES = 6  # in the palette
 _FEW = 3  # flights whose actuators are not folded away
@@ -47,7 +50,7 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
     return log
 
 
-def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
+def groups(comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
     flights, names = comparison.flights, comparison.keys
     failures = list(_failures(comparison))
@@ -64,7 +67,7 @@ def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str
     return drawn
 
 
-def _failures(comparison: Compared) -> Iterator[dict[str, Any]]:
+def _failures(comparison: Comparison) -> Iterator[dict[str, Any]]:
     """{time_s, style} of each failure: of all flights, or in the colour of the one that it belongs to."""
     times = [failure_times_s(flight.events) for flight in comparison.flights]
     for time in sorted({time for each in times for time in each}):
@@ -95,7 +98,7 @@ def _differences() -> Iterator[Panel]:
         yield Panel(quantity, unit(flown(quantity)), (series,), drawn.least_error)
 
 
-def of_all(panels: Sequence[Panel], comparison: Compared, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
+def of_all(panels: Sequence[Panel], comparison: Comparison, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
     """Each panel with one series of each flight: what its controller believes, if that is drawn, else the first.
 
     Beside what is believed stands what is true: once where that is the same in all flights, else of each.
@@ -111,7 +114,7 @@ def of_all(panels: Sequence[Panel], comparison: Compared, log: Mapping[str, np.n
             yield replace(panel, series=tuple(known), flag="", notes=())
 
 
-def _truths(true: Series, comparison: Compared, log: Mapping[str, np.ndarray]) -> list[Series]:
+def _truths(true: Series, comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[Series]:
     """What is true in each flight, and once what is true in all for as long as they fly."""
     found = {
         i: true._replace(column=f"{i}:{true.column}", label=f"true, {name}")

@@ -11,8 +11,7 @@ import numpy as np
 
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin
-from testbed.reporting.export.units import units_of
-from testbed.reporting.words import describe
+from testbed.reporting.words import describe, units_of
 
 _LONGEST = 63  # characters of a name in MATLAB
 _HEADER = b"MATLAB 5.0 MAT-file, written by testbed".ljust(116)  # scipy's has the time of writing

@@ -15,8 +15,7 @@ import numpy as np
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, thinned, wind
-from testbed.reporting.export.units import units_of
-from testbed.reporting.words import describe
+from testbed.reporting.words import describe, units_of
 
 RATE_HZ = 50.0
 _LEVELS = {"injection": 3, "lost": 4, "false_alarm": 3}  # foxglove.Log: 2 info, 3 warning, 4 error

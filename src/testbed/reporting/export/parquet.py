@@ -9,7 +9,7 @@ import numpy as np
 
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin
-from testbed.reporting.export.units import units_of
+from testbed.reporting.words import units_of
 
 
 def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:

@@ -38,17 +38,14 @@ def parse_origin(text: str) -> Origin:
     try:
         latitude, longitude, *more = (float(part) for part in text.split(","))
         (altitude,) = more or (None,)
+        if not all(map(math.isfinite, (latitude, longitude, altitude or 0.0))):
+            raise ValueError
+        if abs(latitude) >= 90.0 or abs(longitude) > 180.0:
+            raise ValueError
     except ValueError:
-        raise _bad(text) from None
-    given = (latitude, longitude, altitude or 0.0)
-    if not all(map(math.isfinite, given)) or abs(latitude) >= 90.0 or abs(longitude) > 180.0:
-        raise _bad(text)
+        expected = "LAT,LON or LAT,LON,ALT in degrees and metres, as 37.62,-122.38,300; not a pole"
+        raise BadInput([Problem(f"is no origin: {text}", "--origin", expected=expected)]) from None
     return Origin(latitude, longitude, altitude)
-
-
-def _bad(text: str) -> BadInput:
-    expected = "LAT,LON or LAT,LON,ALT in degrees and metres, as 37.62,-122.38,300; not a pole"
-    return BadInput([Problem(f"is no origin: {text}", "--origin", expected=expected)])
 
 
 class Poses(NamedTuple):

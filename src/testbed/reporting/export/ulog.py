@@ -79,14 +79,10 @@ def _motion(flight: Flight, *, measured: bool) -> dict[str, _Topic]:
 
 def _quaternion(roll: np.ndarray, pitch: np.ndarray, heading: np.ndarray) -> np.ndarray:
     """[rows, 4] w x y z of the rotation from body axes to north, east, down, of yaw, pitch, roll in turn."""
-    (cr, sr), (cp, sp), (cy, sy) = ((np.cos(a / 2.0), np.sin(a / 2.0)) for a in (roll, pitch, heading))
-    parts = (
-        cr * cp * cy + sr * sp * sy,
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-    )
-    return np.stack(parts, axis=1)
+    from scipy.spatial.transform import Rotation
+
+    turned = Rotation.from_euler("ZYX", np.stack([heading, pitch, roll], axis=1)).as_quat()
+    return turned[:, [3, 0, 1, 2]]  # scipy's w is the last
 
 
 def _declared(fields: _Topic) -> str:

@@ -1,4 +1,4 @@
-"""The events of a flight as vertical lines, with styles that can be told apart in grey print."""
+"""The events of a flight as vertical lines, with styles that can be told apart in grey print; the time around the first."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.reporting.palette import MET, MISSED, PALETTE
 from testbed.reporting.words import describe
@@ -13,6 +14,8 @@ from testbed.reporting.words import describe
 _MOST_LABELS = 12
 _MOST_LINES = 60
 _CHARACTER = 0.0685  # inches, the mean width of a character of a label
+_BEFORE_S, _AFTER_S, _LONGEST_S = 0.5, 2.5, 10.0  # of the zoom
+_WORTH = 0.4  # part of the flight from which on a zoom shows nothing more than the flight does
 
 STYLES: dict[str, dict[str, Any]] = {
     "injection": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.6},
@@ -84,3 +87,20 @@ def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> l
         placed.append((low, high, row))
         rows.append((mark, row, side))
     return rows[::-1]
+
+
+def zoom_span(events: Sequence[Mapping[str, Any]], end_s: float) -> tuple[float, float] | None:
+    """(from, until) [s] around the first failure and what the controller made of it, which figures show beside the whole flight: a
+    flag may come 0.1 s after the failure. None where there is nothing to zoom into, in a flight that ended at `end_s`.
+    """
+    times = failure_times_s(events)
+    if not times:
+        return None
+    begin, longest = times[0], times[0] + _LONGEST_S
+    answers = [
+        e["time_s"]
+        for e in events
+        if e["kind"] in ("detection", "release") and begin <= e["time_s"] <= longest - _AFTER_S
+    ]
+    first, last = max(begin - _BEFORE_S, 0.0), min(max([begin, *answers[:3]]) + _AFTER_S, end_s)
+    return (first, last) if 0.0 < last - first < _WORTH * end_s else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,7 +13,6 @@ from matplotlib.axes import Axes
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import stretches
 from testbed.reporting.figures.events import Mark
-from testbed.reporting.figures.signals import band
 from testbed.reporting.palette import PALETTE, nth
 from testbed.reporting.panels import Panel, Series
 from testbed.scenario.requirement import Requirement
@@ -41,6 +40,7 @@ _SHADE: dict[str, Any] = {
 }
 _PAPER: dict[str, Any] = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
 _NEAR = 0.15  # of the distance of the levels: one is drawn if a signal comes this close to it
+_DENSE = 0.35  # crossings of the signal's own spread in a part, from which on a line is a blot
 _PIXELS = 4.0  # width of a part of the time axis in which a dense signal is one band
 _MOST_SHADES, _MOST_NOTES = 200, 6
 _HUGE = 1e6  # values beyond it, of a flight that diverged, do not set an axis
@@ -189,3 +189,35 @@ def _notes(axes: Axes, panel: Panel) -> None:
         place, y = (max(since, first) - first) / (last - first), 0.72 - 0.18 * (i % 3)
         side, by = ("left", 0.01) if place < 0.6 else ("right", -0.01)
         axes.text(place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER)
+
+
+class Band(NamedTuple):
+    """A dense signal in parts of the time axis: [parts] middle of each in time, and the signal's extremes and mean there."""
+
+    time_s: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    mean: np.ndarray
+
+
+def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> Band | None:
+    """The signal as a band, where a line would be a blot; None where a line can be read.
+
+    It is dense if, over the time it is drawn in, its path up and down is many times its spread (10 to 90 % of its values).
+
+    Args:
+        time: [rows] ascending [s].
+        values: [rows] of the signal.
+        span_s: length of the time axis [s].
+        parts: into how many parts the time axis is divided, each some pixels wide.
+    """
+    each = round(len(values) * span_s / max(float(np.ptp(time)), 1e-9) / parts) if len(values) > 1 else 0
+    if each < 8 or not np.all(np.isfinite(values)):
+        return None
+    spread = float(np.ptp(np.percentile(values, [10, 90])))
+    if spread <= 0.0 or np.abs(np.diff(values)).sum() < _DENSE * 2.0 * len(values) / each * spread:
+        return None
+    first = np.arange(0, len(values) - each + 1, each)
+    blocks = values[: len(first) * each].reshape(-1, each)
+    middle = time[first + each // 2]
+    return Band(middle, blocks.min(axis=1), blocks.max(axis=1), blocks.mean(axis=1))

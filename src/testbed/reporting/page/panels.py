@@ -11,7 +11,7 @@ import numpy as np
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import row_at, stretches
 from testbed.flight.flight import Flight
-from testbed.reporting.panels import GROUPS, Panel, Series, error_of, reference_of
+from testbed.reporting.panels import GROUPS, Panel, error_of, reference_of
 from testbed.scenario.requirement import Requirement
 
 SHOWN = ("errors", "effectiveness", "actuators", "own", "attitude", "rates")
@@ -48,16 +48,15 @@ def _drawn(panel: Panel) -> dict[str, Any]:
     )
     said: dict[str, Any] = {
         "title": "; ".join([panel.heading, *notes]),
-        "series": [_series(series) for series in panel.series if series.on_page],
+        "series": [
+            {"column": each.column, "label": each.label, "style": _STYLES.get(each.style, each.style)}
+            for each in panel.series
+            if each.on_page
+        ],
         "least": panel.least,
         "limits": list(panel.levels or ()),
     }
     return said if panel.span is None else {**said, "range": list(panel.span)}
-
-
-def _series(series: Series) -> dict[str, str]:
-    style = _STYLES.get(series.style, series.style)
-    return {"column": series.column, "label": series.label, "style": style}
 
 
 def _verdicts(flight: Flight, column: str, log: Mapping[str, np.ndarray]) -> dict[str, list[dict[str, Any]]]:

@@ -7,13 +7,16 @@ from collections.abc import Callable, Iterator, Mapping
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+import numpy as np
+
 from testbed.common.docstrings import first_line
 from testbed.flight.flight import Flight
+from testbed.flight.recovery import UNITS, tracking_error
+from testbed.flight.requirements import worst_s
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import rounded
-from testbed.reporting.page.unmet import unmet
 from testbed.reporting.story import diagnoses, story
 from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of
 from testbed.scenario.load import dump
@@ -25,6 +28,7 @@ _THEMES = {
     "effort": "Effort of the actuators",
 }
 """Titles of the metrics' modules."""
+_NAMED = 3  # requirements that the verdict names; the others are in the table below
 _CLASSES = {True: "met", False: "missed", None: ""}
 AGAIN = Html("""<p>Run this in the folder of this report.
 With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
@@ -49,6 +53,41 @@ def verdict(flight: Flight) -> Html:
     return html.joined(
         [word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}.", unmet(flight)]
     )
+
+
+def unmet(flight: Flight) -> Html:
+    """The requirements that were not met, each a link to its worst moment; "" if all were met."""
+    links = []
+    for number, verdict in enumerate(flight.requirements):
+        if verdict["passed"] is False:
+            time_s = _moment_s(flight, number)
+            go = None if time_s is None else f"{time_s:.3f}"
+            links.append(tag("a", verdict["name"], _at(time_s), href="#requirements", data_go=go))
+    more = [tag("a", f"{len(links) - _NAMED} more", href="#requirements")] if links[_NAMED:] else []
+    named = html.joined([*links[:_NAMED], *more], "; ")
+    return html.joined([" Not met: ", named, "."] if links else None)
+
+
+def told(flight: Flight, verdict: Mapping[str, Any]) -> str:
+    """When a requirement that was judged so was furthest from being met, in words for a terminal; "" if that is unknown."""
+    return _at(_moment_s(flight, list(flight.requirements).index(verdict)))
+
+
+def _at(time_s: float | None) -> str:
+    return "" if time_s is None else f", worst at {time_s:.1f} s"
+
+
+def _moment_s(flight: Flight, number: int) -> float | None:
+    """When a requirement was furthest from being met [s]; of an error's metric, when that error was largest. None if unknown."""
+    asked, log = flight.scenario.requirements, flight.signals
+    if number >= len(asked):  # another version may have judged others
+        return None
+    metric = asked[number].metric
+    if metric is None:
+        return worst_s(asked[number], log)
+    quantity = next((q for q in UNITS if metric.startswith(f"{q}_error")), None)
+    error = np.array([]) if quantity is None else np.abs(tracking_error(log, quantity))
+    return float(log["time_s"][np.nanargmax(error)]) if np.isfinite(error).any() else None
 
 
 def facts(flight: Flight) -> dict[str, str]:
