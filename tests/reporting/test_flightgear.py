@@ -18,14 +18,15 @@ from testbed.common.signals import STATE
 from testbed.inputs.problems import BadInput
 from testbed.plant.identification import stored
 from testbed.reporting.export.place import Origin
-from testbed.reporting.flightgear import LAYOUT, RATE_HZ, Viewer, address_of, facts_of
+from testbed.reporting.flightgear import LAYOUT, RATE_HZ, Facts, Viewer, address_of, facts_of
 from testbed.simulation import fly
 
-ACTUATORS = {
-    "left_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0), "turning": (0.0, -40.0, -18.0)},
-    "right_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0), "turning": (0.0, -40.0, 18.0)},
-    "left_propeller": {"kind": "motor", "limits": (-1.0, 8.0), "turning": (9.0, 9.0, 9.0)},
-}
+ACTUATORS = Facts(
+    servo=np.array([True, True, False]),
+    limits=np.array([[-25.0, 20.0], [-25.0, 20.0], [-1.0, 8.0]]),
+    turning=np.array([[0.0, 0.0, 9.0], [-40.0, -40.0, 9.0], [-18.0, 18.0, 9.0]]),
+)
+"""Two tails, which are ruddervators, and a propeller."""
 VALUES = {
     "north": 1000.0, "east": 500.0, "altitude": 310.0, "airspeed": 18.0, "climb_rate": 1.5,
     "roll": 0.2, "pitch": -0.1, "heading": 1.3, "alpha": 0.05, "beta": -0.03,

@@ -7,6 +7,7 @@ such as `actuator/NAME/`. The aircraft's XML must implement the response that th
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from testbed.common.units import DEGREES_PER_RADIAN
 
@@ -58,6 +59,7 @@ class ServoModel:
         self._input, self._lagged = demand, lagged
 
 
+@dataclass(frozen=True)
 class MotorModel:
     """A motor with its propeller, or an engine: {throttle [0 to 1], thrust_N: what reaches the airframe [N]}, and of an engine
     {running: 1, or 0 without ignition or fuel}.
@@ -66,15 +68,14 @@ class MotorModel:
     full voltage. Speed and thrust of the rotor are not computed here: they are read from the plant.
     """
 
-    def __init__(self, rpm_at_full: float | None) -> None:
-        """`rpm_at_full` is the motor's speed without load at full voltage [rpm]; None for an engine."""
-        self._full = rpm_at_full
+    rpm_at_full: float | None
+    """The motor's speed without load at full voltage [rpm]; None for an engine."""
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
         thrust = {"thrust_N": v["effectiveness"] * v["thrust_N"]}
-        if self._full is None:
+        if self.rpm_at_full is None:
             return {"throttle": _throttle(v), "running": 0.0 if v["power-lost"] else 1.0, **thrust}
-        return {"throttle": v["rpm"] / self._full if v["power-lost"] else _throttle(v), **thrust}
+        return {"throttle": v["rpm"] / self.rpm_at_full if v["power-lost"] else _throttle(v), **thrust}
 
 
 Model = ServoModel | MotorModel

@@ -58,14 +58,12 @@ class Injection:
         self.actuator = broken_actuator(failure, aircraft)
         self.receipts: list[dict[str, Any]] = []
         self._plant, self._aircraft, self._rate_hz = plant, aircraft, rate_hz
-        self._holds = [
-            self._hold(name, value, healthy) for name, value in failure.properties(aircraft).items()
-        ]
+        properties = failure.properties(aircraft)
+        self._holds = [self._hold(name, value, healthy) for name, value in properties.items()]
         self.names, self.stream = held_by(failure, aircraft), stream
         self._watch: Watch | None = None
         self._changes: tuple[Hold, Course] | None = None
-        changing = failure.course(aircraft, generator(seed, stream))
-        if changing is not None:
+        if (changing := failure.course(aircraft, generator(seed, stream))) is not None:
             (hold,) = (hold for hold in self._holds if hold.name == changing[0])
             self._changes = hold, changing[1]
         self._delay_steps = failure.delay_steps(rate_hz)
@@ -111,23 +109,18 @@ class Injection:
         """Whether it now delays the commands of its actuator."""
         return self.active and self._delay_steps is not None
 
-    def shares(self, other: Injection) -> bool:
-        """Whether both hold at least one property in common."""
-        return not self.names.isdisjoint(other.names)
-
     def start(self, step: int) -> None:
         """Write the values of its properties, and begin to watch for the effect."""
         self._start, self.active, self.waiting = step, True, False
-        values = [hold.value() if callable(hold.value) else hold.value for hold in self._holds]
         for hold in self._holds:
+            hold.first = hold.value() if callable(hold.value) else hold.value
             hold.before = hold.get()
         actuator = self._aircraft.actuators[self.actuator] if self.actuator else None
         self._watch = Watch(self._plant, actuator, self._holds)
-        for hold, value in zip(self._holds, values, strict=True):
-            hold.first = value
-            hold.write(value)
+        for hold in self._holds:
+            hold.write(hold.first)
         if self._delay_steps:
-            self._late_commands.extend(values * self._delay_steps)
+            self._late_commands.extend([hold.first for hold in self._holds] * self._delay_steps)
         as_written = all(reads_back(hold.get(), hold.written) for hold in self._holds)
         self._add_receipt(step, active=True, verified=None if as_written else False)
 
@@ -200,12 +193,9 @@ class Injection:
     def warnings(self, place: int) -> Iterator[str]:
         """One sentence for each thing that did not happen as the scenario asked; `place` is that in the scenario."""
         what = f"{self.failure.type}, {self.actuator}" if self.actuator else self.failure.type
-        name = f"failures.{place} ({what})"
+        name, when = f"failures.{place} ({what})", self.failure.when
         if not self.receipts:
-            when = self.failure.when
-            yield f"{name} never started: " + (
-                f"{when} did not happen" if when else "the flight ended before"
-            )
+            yield f"{name} never started: {f'{when} did not happen' if when else 'the flight ended before'}"
         for receipt in self.receipts:
             text = _NOT_AS_ASKED.get((receipt["active"], receipt["verified"]))
             if text:

@@ -7,6 +7,7 @@ plant or the failures.
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -63,8 +64,7 @@ class Injector:
             (at, starts, each) for each in self._injections for at, starts in each.agenda() if at >= step
         )
         # At one step ends come before starts, so that windows may touch.
-        self._agenda = sorted(agenda, key=lambda entry: entry[:2])
-        self._due = 0  # first entry of the agenda that has not been carried out
+        self._agenda = deque(sorted(agenda, key=lambda entry: entry[:2]))
         self._plan(step - 1)
 
     def _made(self, planned: Planned, stream: str, healthy: Callable[[str], float] | None) -> Injection:
@@ -116,9 +116,8 @@ class Injector:
         """Check the effects in the last step, start and end the failures that are due, and write the values that change."""
         for injection in self._busy:
             injection.look()
-        while self._due < len(self._agenda) and self._agenda[self._due][0] <= step:
-            self._carry_out(step, *self._agenda[self._due][1:])
-            self._due += 1
+        while self._agenda and self._agenda[0][0] <= step:
+            self._carry_out(step, *self._agenda.popleft()[1:])
         for injection in self._injections:
             if injection.waiting and injection.triggered(step):
                 self._start(step, injection)
@@ -136,7 +135,9 @@ class Injector:
 
     def _start(self, step: int, injection: Injection) -> None:
         for other in self._injections:
-            if other.active and other.shares(injection):  # the one that starts replaces it
+            if other.active and not other.names.isdisjoint(
+                injection.names
+            ):  # the one that starts replaces it
                 other.let_go()
         injection.start(step)
 
@@ -144,7 +145,7 @@ class Injector:
         """Set `next_step`: the next control step while a failure changes, is watched or waits, else the next start or end."""
         self._busy = [injection for injection in self._injections if injection.busy]
         waiting = any(injection.waiting for injection in self._injections)
-        timed = self._agenda[self._due][0] if self._due < len(self._agenda) else math.inf
+        timed = self._agenda[0][0] if self._agenda else math.inf
         self.next_step = step + 1 if self._busy or waiting else timed
         self.filters[:] = [injection.delay for injection in self._injections if injection.delays]
 

@@ -8,7 +8,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.page.panels import group_of
-from testbed.reporting.panels import TRACKED, error_panel, reference_of
+from testbed.reporting.panels import TRACKED, error_panel
 
 _SPEEDS = (0.25, 0.5, 1, 2, 4, 8, 16)
 _ORDERS = {
@@ -24,8 +24,8 @@ _GUST = {"forward": 0, "right": 3, "down": 0, "rise [s]": 0.5, "hold [s]": 1}
 def page(facts: Mapping[str, Any], address: str) -> str:
     """The page of a flight with these facts (see `frames.facts`), which connects to an address."""
     panels = group_of("errors", "Errors against what was ordered", False, map(error_panel, TRACKED))
-    for panel, quantity in zip(panels["panels"], TRACKED, strict=True):
-        limit = facts["limits"].get(reference_of(quantity))
+    for panel, tracked in zip(panels["panels"], TRACKED.values(), strict=True):
+        limit = facts["limits"].get(tracked.reference)
         panel["limits"] = [] if limit is None else [-limit, limit]
     parts = [
         tag("h1", f"{facts['name']}, live"),

@@ -26,16 +26,9 @@ def attempt(what: str, write: Callable[[], object]) -> bool:
 
 def add_report(flight: Flight, folder: Path, figures: bool = True) -> bool:
     """Add the report, and the figures if wanted, to a folder with log and summary; returns whether all could be made."""
+    from testbed.reporting.figures import draw
+    from testbed.reporting.run_report import write_page
 
-    def draw() -> None:
-        from testbed.reporting.figures import draw
-
-        draw(flight, folder)
-
-    def write() -> None:
-        from testbed.reporting.run_report import write_page
-
-        write_page(flight, folder / "report.html", folder / "figures")
-
-    drawn = not figures or attempt("the figures", draw)
-    return attempt("the report", write) and drawn
+    drawn = not figures or attempt("the figures", lambda: draw(flight, folder))
+    page = folder / "report.html"
+    return attempt("the report", lambda: write_page(flight, page, folder / "figures")) and drawn

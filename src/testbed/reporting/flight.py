@@ -52,9 +52,7 @@ class ReportedFlight(Flight):
         from testbed.reporting.figures import TABLE, plot
 
         if figure not in TABLE:
-            expected, suggestion = guess(figure, TABLE)
-            problem = Problem(f"is no figure: {figure}", "plot", expected=expected, suggestion=suggestion)
-            raise BadInput([problem])
+            raise BadInput([Problem(f"is no figure: {figure}", "plot", None, "", *guess(figure, TABLE))])
         return plot(self, figure)
 
     def report(self, file: str | Path) -> Path:

@@ -16,7 +16,7 @@ import socket
 import struct
 import time
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
@@ -46,17 +46,24 @@ RATE_HZ = 60.0
 _RUNNING, _MOST_ENGINES = 2, 4
 _RPM = 6000.0  # of a propeller at full thrust: only its picture turns
 _VISIBILITY_M = 30000.0
-Facts = Mapping[str, Mapping[str, Any]]
+
+
+class Facts(NamedTuple):
+    """What a packet needs of n actuators."""
+
+    servo: np.ndarray
+    """[n] whether it moves a surface."""
+    limits: np.ndarray
+    """[n, 2] its least and greatest position."""
+    turning: np.ndarray
+    """[3, n] p_dot, q_dot and r_dot by half its travel."""
 
 
 def facts_of(actuators: Mapping[str, AnyActuator], model: DesignModel) -> Facts:
-    """What a packet needs of each actuator: its kind, its limits, and p_dot, q_dot and r_dot by half its travel."""
-    facts = {}
-    for i, (name, actuator) in enumerate(actuators.items()):
-        half = 0.5 * (actuator.limits[1] - actuator.limits[0])
-        turning = tuple(half * row[i] for row in model.input_matrix[:3])
-        facts[name] = {"kind": actuator.kind, "limits": actuator.limits, "turning": turning}
-    return facts
+    """What a packet needs of these actuators, in their order."""
+    servo = np.array([actuator.kind == "servo" for actuator in actuators.values()])
+    limits = np.array([actuator.limits for actuator in actuators.values()])
+    return Facts(servo, limits, 0.5 * (limits[:, 1] - limits[:, 0]) * np.asarray(model.input_matrix[:3]))
 
 
 def address_of(text: str) -> tuple[str, int]:
@@ -123,19 +130,21 @@ def packet(truth: np.ndarray, velocity: np.ndarray, actuators: Facts, origin: Or
     Args:
         truth: [17 + 2 n] `signals.STATE` in SI and radians, then the position of each of n actuators in its unit.
         velocity: [3] over the ground, north, east, down [m/s].
-        actuators: `facts_of` each, in the order of `truth`.
+        actuators: their facts, in the order of `truth`.
         origin: where the flight starts; its altitude is not used here: sea level stays sea level.
     """
     s = dict(zip(STATE, truth.tolist(), strict=False))
-    positions = dict(zip(actuators, truth[len(STATE) :].tolist(), strict=False))
+    low, high = actuators.limits.T
+    position = truth[len(STATE) : len(STATE) + len(low)]
+    # Of the travel on its side of zero.
+    share = _part(position, np.where(position >= 0.0, high, -low)).clip(-1.0, 1.0)
+    turning = np.where(actuators.servo, actuators.turning, 0.0)
+    roll, pitch, yaw = _part(turning @ share, np.abs(turning).sum(axis=1))
     latitude, longitude = geodetic(origin, np.array([s["north"]]), np.array([s["east"]]), s["altitude"])
     feet = 1.0 / METRES_PER_FOOT
     body = body_from_ned(s["roll"], s["pitch"], s["heading"]) @ velocity
-    share = {name: _share(positions[name], facts) for name, facts in actuators.items()}
-    turning = [abs(share[name]) for name, facts in actuators.items() if facts.get("kind") != "servo"]
-    engines = turning[:_MOST_ENGINES] + [0.0] * (_MOST_ENGINES - len(turning))
-    count = min(len(turning), _MOST_ENGINES)
-    roll, pitch, yaw = _moments(share, actuators)
+    engines = np.abs(share[~actuators.servo])[:_MOST_ENGINES]
+    idle = _MOST_ENGINES - len(engines)
     return LAYOUT.pack(
         VERSION,
         *(math.radians(longitude[0]), math.radians(latitude[0]), s["altitude"]),
@@ -146,10 +155,10 @@ def packet(truth: np.ndarray, velocity: np.ndarray, actuators: Facts, origin: Or
         *(body * feet),
         *(s["u_dot"] * feet, 0.0, -GRAVITY_M_S2 * feet),
         *(0.0, 0.0),
-        count,
-        *(_RUNNING if i < count else 0 for i in range(_MOST_ENGINES)),
-        *(_RPM * part for part in engines),
-        *[0.0] * 32,
+        len(engines),
+        *([_RUNNING] * len(engines) + [0] * idle),
+        *(_RPM * engines),
+        *[0.0] * (idle + 32),
         *(0, *[0.0] * 4),
         *(0, *[0] * 3, *[0.0] * 9),
         *(0, 0, _VISIBILITY_M),
@@ -165,19 +174,6 @@ def _euler_rates(s: Mapping[str, float]) -> tuple[float, float, float]:
     return s["p"] + turn * math.sin(s["pitch"]), s["q"] * cosine - s["r"] * sine, turn
 
 
-def _moments(share: Mapping[str, float], actuators: Facts) -> list[float]:
-    """[3] rolling, pitching and yawing moment of the surfaces, as shares of the greatest that they can give, -1 to 1."""
-    surfaces = [name for name, facts in actuators.items() if facts["kind"] == "servo"]
-    moments = []
-    for axis in range(3):
-        parts = [(actuators[name]["turning"][axis], share[name]) for name in surfaces]
-        greatest = sum(abs(turning) for turning, _ in parts)
-        moments.append(sum(turning * part for turning, part in parts) / greatest if greatest > 0.0 else 0.0)
-    return moments
-
-
-def _share(position: float, facts: Mapping[str, Any]) -> float:
-    """A position as a share of the travel on its side of zero, -1 to 1."""
-    low, high = facts.get("limits", (-1.0, 1.0))
-    stop = high if position >= 0.0 else -low
-    return max(-1.0, min(1.0, position / stop)) if stop > 0.0 else 0.0
+def _part(values: np.ndarray, greatest: np.ndarray) -> np.ndarray:
+    """Values as parts of the greatest that there can be; 0 where there can be none."""
+    return np.divide(values, greatest, out=np.zeros(len(values)), where=greatest > 0.0)

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 from testbed.common.text import printable
 from testbed.common.writing import write as write_file
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Flight
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import number
@@ -30,20 +30,16 @@ class Test(NamedTuple):
 
 def write(file: Path, name: str, tests: Iterable[Test]) -> None:
     """Write the tests of a run, a sweep or a matrix of this name, whole or not at all. Raises OSError."""
-    found = list(tests)
+    found, name = list(tests), printable(name)
     counts = {
-        "tests": len(found),
-        "failures": sum(bool(test.failure) for test in found),
-        "skipped": sum(bool(test.skipped) for test in found),
+        "tests": str(len(found)),
+        "failures": str(sum(bool(test.failure) for test in found)),
+        "skipped": str(sum(bool(test.skipped) for test in found)),
     }
     root = ElementTree.Element("testsuites", {"name": "testbed"})
-    suite = ElementTree.SubElement(
-        root, "testsuite", {"name": printable(name), **{key: str(n) for key, n in counts.items()}}
-    )
+    suite = ElementTree.SubElement(root, "testsuite", {"name": name, **counts})
     for test in found:
-        case = ElementTree.SubElement(
-            suite, "testcase", {"classname": printable(name), "name": printable(test.name)}
-        )
+        case = ElementTree.SubElement(suite, "testcase", {"classname": name, "name": printable(test.name)})
         if test.failure:
             failed = ElementTree.SubElement(case, "failure", {"message": printable(test.failure)})
             failed.text = "\n".join(map(printable, test.text.splitlines()))
@@ -57,10 +53,8 @@ def refuse(file: Path, folder: Path | None) -> None:
     """Raise BadInput where `write` could not write, would replace a file that is none of ours, or one of the output folder."""
     with suppress(OSError, ValueError):  # of a name that `refuse_unwritable` refuses
         if folder is not None and file.resolve().is_relative_to(folder.resolve()):
-            problem = Problem(
-                f"is in {folder}, which holds the results", str(file), expected="a file beside it"
-            )
-            raise BadInput([problem])
+            what = f"is in {folder}, which holds the results"
+            raise BadInput([Problem(what, str(file), expected="a file beside it")])
     refuse_unwritable(file, _is_ours)
 
 
@@ -71,13 +65,8 @@ def _is_ours(file: Path) -> bool:
 
 def tests_of(flight: Flight) -> Iterator[Test]:
     """A test of how the flight ended, and one of each requirement; each that failed has the flight's story."""
-    told = "\n".join(story(flight))
-    lost = (
-        ""
-        if flight.outcome is Outcome.completed
-        else f"it {flight.outcome.sentence} ({flight.end_time_s:g} s)"
-    )
-    yield Test("flown to the end", lost, told)
+    told, ended = "\n".join(story(flight)), f"it {flight.outcome.sentence} ({flight.end_time_s:g} s)"
+    yield Test("flown to the end", ended if flight.outcome.is_lost else "", told)
     for requirement in flight.requirements:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         said = f"{requirement['name']}: {number(requirement['value'])}{reason}"

@@ -16,26 +16,30 @@ from testbed.common.units import unit as unit_of
 from testbed.flight.breakage import failures_of, response
 from testbed.flight.columns import stuck_column
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import UNITS, tracking_error
+from testbed.flight.recovery import tracking_error
 from testbed.reporting.noticing import signs
 from testbed.reporting.words import believed, title
 
 
 class Tracked(NamedTuple):
-    """How a quantity that follows a reference is drawn: an axis shows at least `least` of it and `least_error` of its error.
+    """A quantity that follows a reference: its column, its reference's and its error's, and how they are drawn.
 
-    Where all flights of a sweep are in one panel, the axis of the error is linear up to `linear`, and logarithmic beyond.
+    An axis shows at least `least` of it and `least_error` of its error. Where all flights of a sweep are in one panel, the axis of
+    the error is linear up to `linear`, and logarithmic beyond.
     """
 
+    flown: str
+    reference: str
+    error: str
     least: float
     least_error: float
     linear: float
 
 
 TRACKED = {
-    "altitude": Tracked(1.0, 0.2, 1.0),
-    "airspeed": Tracked(1.0, 0.2, 1.0),
-    "heading": Tracked(4.0, 0.5, 3.0),
+    "altitude": Tracked("altitude_m", "altitude_command_m", "altitude_error_m", 1.0, 0.2, 1.0),
+    "airspeed": Tracked("airspeed_m_s", "airspeed_command_m_s", "airspeed_error_m_s", 1.0, 0.2, 1.0),
+    "heading": Tracked("heading_deg", "heading_command_deg", "heading_error_deg", 4.0, 0.5, 3.0),
 }
 STATES = {"roll_deg": "bank", "pitch_deg": "pitch", "alpha_deg": "angle of attack", "beta_deg": "sideslip"}
 """Other states that are drawn, and their titles."""
@@ -46,7 +50,7 @@ _STUCK = "sensor taken for stuck"
 
 
 class Series(NamedTuple):
-    """A column of the log in a panel. `style` is one of `figures.sheet.STYLES`, and a colour of the page's style sheet.
+    """A column of the log in a panel. `style` is one of `figures.lines.STYLES`, and a colour of the page's style sheet.
 
     Of a series with `spikes` the axis need not hold all. One that is not `on_page` is only in the figures.
     """
@@ -105,7 +109,7 @@ def shown_log(flight: Flight) -> dict[str, np.ndarray]:
 
 def error_columns(log: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """The error of each quantity that follows a reference."""
-    return {error_of(q): tracking_error(log, q) for q in TRACKED if reference_of(q) in log}
+    return {of.error: tracking_error(log, q) for q, of in TRACKED.items() if of.reference in log}
 
 
 def _answering(flight: Flight) -> list[str]:
@@ -118,34 +122,12 @@ def response_of(actuator: str) -> str:
     return f"{actuator}_response"
 
 
-def flown(quantity: str) -> str:
-    """Name of the column of a quantity."""
-    return f"{quantity}_{UNITS[quantity]}"
-
-
-def error_of(quantity: str) -> str:
-    """Name of the column of a quantity's error."""
-    return f"{quantity}_error_{UNITS[quantity]}"
-
-
-def reference_of(quantity: str) -> str:
-    """Name of the column of a quantity's reference."""
-    return f"{quantity}_command_{UNITS[quantity]}"
-
-
 def tracked(flight: Flight) -> Iterator[Panel]:
     """Each quantity with its reference."""
     for quantity, drawn in TRACKED.items():
-        reference = Series(reference_of(quantity), "reference", "reference")
-        series = (reference, Series(flown(quantity), "flown", "truth"))
-        yield Panel(
-            quantity,
-            unit_of(flown(quantity)),
-            series,
-            drawn.least,
-            flag=_stuck(flight, quantity),
-            flagged=_STUCK,
-        )
+        series = (Series(drawn.reference, "reference", "reference"), Series(drawn.flown, "flown", "truth"))
+        flag = _stuck(flight, quantity)
+        yield Panel(quantity, unit_of(drawn.flown), series, drawn.least, flag=flag, flagged=_STUCK)
 
 
 def errors(flight: Flight) -> Iterator[Panel]:
@@ -155,9 +137,9 @@ def errors(flight: Flight) -> Iterator[Panel]:
 
 def error_panel(quantity: str) -> Panel:
     """A quantity minus its reference."""
-    column = error_of(quantity)
-    series = (Series(column, "error", "truth"),)
-    return Panel(f"{quantity} minus reference", unit_of(column), series, TRACKED[quantity].least_error)
+    of = TRACKED[quantity]
+    series = (Series(of.error, "error", "truth"),)
+    return Panel(f"{quantity} minus reference", unit_of(of.error), series, of.least_error)
 
 
 def states(flight: Flight) -> Iterator[Panel]:
@@ -182,9 +164,7 @@ def air(flight: Flight) -> Iterator[Panel]:
 
 def effectiveness(flight: Flight) -> Iterator[Panel]:
     """Of each actuator, true and as the controller believes it, with the threshold of its monitor."""
-    names = [f"{name}_effectiveness_estimate" for name in flight.actuators]
-    log = {name: flight.column(name) for name in names if name in flight.columns}
-    estimated = has_estimates(log, flight.actuators)
+    estimated = has_estimates(flight.signals, flight.actuators)
     own = flight.flown_by or not estimated
     chosen = {} if own else flight.scenario.controller.model_dump()
     for name, actuator in flight.actuators.items():
@@ -252,7 +232,11 @@ class Group(NamedTuple):
     def of(self, flight: Flight) -> list[Panel]:
         """The group's panels of a flight, those whose series its log has."""
         made = [panel for function in self.panels for panel in function(flight)]
-        known = {*flight.columns, *map(error_of, TRACKED), *map(response_of, _answering(flight))}
+        known = {
+            *flight.columns,
+            *(of.error for of in TRACKED.values()),
+            *map(response_of, _answering(flight)),
+        }
         return [panel for panel in made if all(series.column in known for series in panel.series)]
 
 

@@ -15,7 +15,7 @@ from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.drawn import can_be_replayed, drawn
 from testbed.reporting.page.panels import groups
-from testbed.reporting.panels import error_of, shown_log
+from testbed.reporting.panels import TRACKED, shown_log
 from testbed.reporting.words import describe
 
 
@@ -39,7 +39,7 @@ def write_page(
     if not can_be_replayed(log):
         parts = _parts(flight, None, figures, again, back)
         return html.write_page(file, flight.scenario.name, parts, within=within)
-    turned = error_of("heading")
+    turned = TRACKED["heading"].error
     log |= {turned: unwrapped_deg(log[turned])} if turned in log else {}  # it goes on beyond a half turn
     shown = groups(flight, log)
     told, columns = packed(log)

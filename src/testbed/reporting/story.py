@@ -157,21 +157,19 @@ def _noticed(
 
 
 def _noticing(view: Readings, notice: Mapping[str, Any], notices: Sequence[Mapping[str, Any]]) -> str:
-    """What it did when it flagged an actuator: noticed a failure, or flagged again what it had noticed before."""
-    name, since_s = notice["actuator"], notice["time_s"] - notice["delay_s"]
-    if any(e["actuator"] == name and since_s <= e["time_s"] < notice["time_s"] for e in notices):
-        return f"flagged the {title(name)} again at {notice['time_s']:.1f} s"
-    return f"noticed the {title(name)} {_delay(view, notice)}"
+    """What it did when it flagged an actuator: noticed how long after it broke, or flagged again what it had noticed before.
 
-
-def _delay(view: Readings, notice: Mapping[str, Any]) -> str:
-    """How long after it broke an actuator was noticed; and when that was, if more than one failure can be meant."""
-    began = {f.from_s for f in failures_of(view.events) if f.actuator == notice["actuator"]}
-    if sum(time <= notice["time_s"] for time in began) < 2:
-        return f"after {notice['delay_s']:.2f} s"
-    since_s = notice["time_s"] - notice["delay_s"]
+    When it broke is said if more than one failure can be meant.
+    """
+    name, now_s, delay_s = notice["actuator"], notice["time_s"], notice["delay_s"]
+    since_s = now_s - delay_s
+    if any(e["actuator"] == name and since_s <= e["time_s"] < now_s for e in notices):
+        return f"flagged the {title(name)} again at {now_s:.1f} s"
+    began = {f.from_s for f in failures_of(view.events) if f.actuator == name}
+    if sum(time <= now_s for time in began) < 2:
+        return f"noticed the {title(name)} after {delay_s:.2f} s"
     what = "failure" if any(math.isclose(since_s, time) for time in began) else "loss"
-    return f"{notice['delay_s']:.2f} s after its {what} at {since_s:.1f} s"
+    return f"noticed the {title(name)} {delay_s:.2f} s after its {what} at {since_s:.1f} s"
 
 
 def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from handmade import flight_of, injection, level_log
 
-from testbed.reporting.figures.events import MARKERS, STYLES, marks, rows_of
+from testbed.reporting.figures.events import LOOKS, marks, rows_of
 from testbed.reporting.words import describe
 
 FLIGHT = flight_of(level_log())
@@ -30,7 +30,7 @@ def test_failures_are_told_in_words_with_their_values() -> None:
 
 
 def test_kinds_have_looks_of_their_own() -> None:
-    assert set(MARKERS) == set(STYLES) and len(set(MARKERS.values())) == len(MARKERS)
+    assert len({marker for _, marker in LOOKS.values()}) == len(LOOKS)
 
 
 def test_a_recovery_is_marked_unless_nothing_was_ever_left() -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from testbed.flight.breakage import failure_times_s, failures_of
 from testbed.reporting.comparison.panels import columns_of, of_all
-from testbed.reporting.figures.events import MARKERS, STYLES, Mark
+from testbed.reporting.figures.events import LOOKS, Mark
 from testbed.reporting.figures.lines import Shown
 from testbed.reporting.figures.sheet import Sheet, plain_text, png
 from testbed.reporting.palette import COLOURS
@@ -47,11 +47,12 @@ def _marks(comparison: Comparison) -> Iterator[Mark]:
             began.setdefault(time, []).append(name)
     for time, names in sorted(began.items()):
         whose = "" if len(names) == len(comparison.keys) else f" {joined(names)}"
-        yield Mark(time, f"failure{whose}", STYLES["injection"], MARKERS["injection"])
+        yield Mark(time, f"failure{whose}", *LOOKS["injection"])
     for i, (name, flight) in enumerate(zip(comparison.keys, comparison.flights, strict=True)):
         if flight.outcome.is_lost:
-            look = {**STYLES["lost"], "linewidth": 1.2, "color": COLOURS[i % 6]}
-            yield Mark(flight.end_time_s, f"{name} lost", look, MARKERS["lost"])
+            style, marker = LOOKS["lost"]
+            own = {**style, "linewidth": 1.2, "color": COLOURS[i % 6]}
+            yield Mark(flight.end_time_s, f"{name} lost", own, marker)
 
 
 def _broken(comparison: Comparison) -> str:

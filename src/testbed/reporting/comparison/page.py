@@ -53,7 +53,7 @@ def _parts(comparison: Comparison, title: str, shown: list[dict[str, Any]]) -> I
     yield tag("div", html.picture(picture(comparison), "Errors and bank of the flights"), class_="still")
     yield _stories(comparison)
     yield _requirements(comparison)
-    yield _metrics(comparison)
+    yield metrics(comparison)
     yield _settings(comparison)
 
 
@@ -109,11 +109,6 @@ def _ended(i: int, comparison: Comparison) -> str:
     return f"{comparison.names[i]}: {flight.verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
-def summary(comparison: Comparison) -> Html:
-    """The sentences and the metrics, for a notebook."""
-    return html.joined([html.listed(sentences(comparison), "story"), _metrics(comparison)])
-
-
 def _stories(comparison: Comparison) -> Iterator[Html]:
     yield tag("h2", "Each flight told")
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
@@ -141,7 +136,7 @@ def _requirements(comparison: Comparison) -> Iterator[Html]:
         yield html.table(["requirement", *comparison.keys], ordered, caption)
 
 
-def _metrics(comparison: Comparison) -> Iterator[Html]:
+def metrics(comparison: Comparison) -> Iterator[Html]:
     """The metrics that differ, and the others folded away."""
     rows: dict[bool, list[Html]] = {True: [], False: []}
     for name, values in comparison.metrics.iterrows():

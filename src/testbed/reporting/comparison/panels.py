@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed.common.angles import unwrapped_deg
+from testbed.common.angles import unwrapped_deg, wrap_deg
 from testbed.common.units import unit
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison.differences import minus, on_grid
 from testbed.reporting.page.panels import group_of
 from testbed.reporting.panels import (
     TRACKED,
@@ -20,9 +19,7 @@ from testbed.reporting.panels import (
     Series,
     actuators,
     effectiveness,
-    error_of,
     errors,
-    flown,
     shown_log,
     states,
 )
@@ -31,6 +28,7 @@ if TYPE_CHECKING:
     from testbed.reporting.comparison.compare import Comparison
 
 _STYLES = 6  # in the palette
+_SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
 _FEW = 3  # flights whose actuators are not folded away
 
 
@@ -38,16 +36,37 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
     """The columns of all flights on one time grid, that of the longest: `1:roll_deg` is of the second flight."""
     time = max(flights, key=lambda flight: flight.end_time_s).column("time_s")
     log: dict[str, np.ndarray] = {"time_s": time}
-    turning = {error_of("heading"), f"{flown('heading')}-0"}  # differences, which go on beyond a half turn
+    heading = TRACKED["heading"]
+    turning = {heading.error, f"{heading.flown}-0"}  # differences, which go on beyond a half turn
     for i, shown in enumerate(map(shown_log, flights)):
         own = {name: on_grid(time, shown, name) for name in shown if name != "time_s"}
-        for name in map(flown, TRACKED):
+        for name in (of.flown for of in TRACKED.values()):
             if i and f"0:{name}" in log and name in own:
-                own[f"{name}-0"] = minus(own[name], log[f"0:{name}"], name)
+                own[f"{name}-0"] = _minus(own[name], log[f"0:{name}"], name)
         for name in turning & own.keys():
             own[name] = unwrapped_deg(own[name])
         log |= {f"{i}:{name}": values for name, values in own.items()}
     return log
+
+
+def common_rows(one: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows of two logs at the same times, from the times [rows] of each [s]."""
+    near = np.clip(np.searchsorted(other, one - _SAME_TIME), 0, max(len(other) - 1, 0))
+    same = np.abs(other[near] - one) <= _SAME_TIME if len(other) else np.zeros(len(one), dtype=bool)
+    return np.flatnonzero(same), near[same]
+
+
+def on_grid(time: np.ndarray, log: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """A column of a log at the times of a grid [rows]: its latest row, and NaN after its end."""
+    own = log["time_s"]
+    rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
+    values = log[name][np.clip(rows, 0, len(own) - 1)]
+    return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
+
+
+def _minus(one: np.ndarray, other: np.ndarray, name: str) -> np.ndarray:
+    """The difference of two columns; of headings, the short way round."""
+    return wrap_deg(one - other) if name.startswith("heading") else one - other
 
 
 def groups(comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
@@ -94,8 +113,8 @@ def _all_panels(flights: Sequence[Flight], make: Callable[[Flight], Iterator[Pan
 
 def _differences() -> Iterator[Panel]:
     for quantity, drawn in TRACKED.items():
-        series = Series(f"{flown(quantity)}-0", quantity, "truth")
-        yield Panel(quantity, unit(flown(quantity)), (series,), drawn.least_error)
+        series = Series(f"{drawn.flown}-0", quantity, "truth")
+        yield Panel(quantity, unit(drawn.flown), (series,), drawn.least_error)
 
 
 def of_all(panels: Sequence[Panel], comparison: Comparison, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:

@@ -14,7 +14,7 @@ from typing import BinaryIO
 from testbed.flight.flight import Flight
 from testbed.inputs.output_file import refuse_unwritable, written
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.reporting.export.place import DEFAULT_ORIGIN, Origin
+from testbed.reporting.export.place import DEFAULT_ORIGIN, POSE, Origin
 
 Write = Callable[[Flight, BinaryIO, Origin], None]
 
@@ -28,17 +28,15 @@ class Format:
     needs: tuple[str, ...] = ()
 
 
-_POSE = ("time_s", "north_m", "east_m", "altitude_m", "roll_deg", "pitch_deg", "heading_deg")
-
 TABLE: dict[str, Format] = {
-    "acmi": Format(".acmi", "Tacview 2.2: attitude, air data, actuators, events as bookmarks", _POSE),
-    "kml": Format(".kml", "Google Earth and others: a track in time with attitude, events as places", _POSE),
+    "acmi": Format(".acmi", "Tacview 2.2: attitude, air data, actuators, events as bookmarks", POSE),
+    "kml": Format(".kml", "Google Earth and others: a track in time with attitude, events as places", POSE),
     "parquet": Format(".parquet", "pandas, polars, DuckDB: the log with units in its metadata", ("time_s",)),
-    "mcap": Format(".mcap", "Foxglove: frames, location, a topic for each actuator, events", _POSE),
+    "mcap": Format(".mcap", "Foxglove: frames, location, a topic for each actuator, events", POSE),
     "ulog": Format(
         ".ulg",
         "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
-        (*_POSE, "p_deg_s", "q_deg_s", "r_deg_s", "alpha_deg", "beta_deg", "airspeed_m_s", "climb_rate_m_s"),
+        (*POSE, "p_deg_s", "q_deg_s", "r_deg_s", "alpha_deg", "beta_deg", "airspeed_m_s", "climb_rate_m_s"),
     ),
     "mat": Format(".mat", "MATLAB and Octave: structs log, units and flight, and events", ("time_s",)),
 }
@@ -70,6 +68,5 @@ def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_O
 def format_of(to: str) -> Format:
     """The format of this name; raises BadInput when there is none."""
     if to not in TABLE:
-        expected, suggestion = guess(to, TABLE)
-        raise BadInput([Problem(f"is no format: {to}", "--to", expected=expected, suggestion=suggestion)])
+        raise BadInput([Problem(f"is no format: {to}", "--to", None, "", *guess(to, TABLE))])
     return TABLE[to]

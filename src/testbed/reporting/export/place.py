@@ -16,6 +16,9 @@ _EQUATOR_M, _FLATTENING = 6378137.0, 1.0 / 298.257223563  # WGS 84
 EPOCH_S = 946684800
 """Unix time of 2000-01-01 00:00:00 UTC, at which every flight is said to start: nothing exported depends on the clock."""
 
+POSE = ("time_s", "north_m", "east_m", "altitude_m", "roll_deg", "pitch_deg", "heading_deg")
+"""Columns of the log that say where the aircraft was, and how it stood."""
+
 
 @dataclass(frozen=True)
 class Origin:
@@ -72,10 +75,7 @@ def poses(flight: Flight, origin: Origin, rate_hz: float = math.inf) -> Poses:
     prime vertical): 10 km away the error is some metres.
     """
     rows = thinned(flight, rate_hz)
-    time, north, east, height, roll, pitch, heading = (
-        flight.column(name)[rows]
-        for name in ("time_s", "north_m", "east_m", "altitude_m", "roll_deg", "pitch_deg", "heading_deg")
-    )
+    time, north, east, height, roll, pitch, heading = (flight.column(name)[rows] for name in POSE)
     altitude = height if origin.altitude_m is None else height - height[:1] + origin.altitude_m
     latitude, longitude = geodetic(origin, north, east, float(altitude[0]) if len(altitude) else 0.0)
     values = (time, north, east, latitude, longitude, altitude, roll, pitch, heading)

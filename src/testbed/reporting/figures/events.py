@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from testbed.flight.breakage import failure_times_s
@@ -17,23 +17,15 @@ _CHARACTER = 0.0685  # inches, the mean width of a character of a label
 _BEFORE_S, _AFTER_S, _LONGEST_S = 0.5, 2.5, 10.0  # of the zoom
 _WORTH = 0.4  # part of the flight from which on a zoom shows nothing more than the flight does
 
-STYLES: dict[str, dict[str, Any]] = {
-    "injection": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.6},
-    "detection": {"color": PALETTE["belief"], "linestyle": (0, (6, 2)), "linewidth": 1.4},
-    "false_alarm": {"color": MISSED, "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
-    "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
-    "recovered": {"color": MET, "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},
-    "lost": {"color": MISSED, "linestyle": "-", "linewidth": 2.4},
+LOOKS: dict[str, tuple[dict[str, Any], str]] = {
+    "injection": ({"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.6}, "v"),
+    "detection": ({"color": PALETTE["belief"], "linestyle": (0, (6, 2)), "linewidth": 1.4}, "D"),
+    "false_alarm": ({"color": MISSED, "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6}, "X"),
+    "release": ({"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6}, "s"),
+    "recovered": ({"color": MET, "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4}, "o"),
+    "lost": ({"color": MISSED, "linestyle": "-", "linewidth": 2.4}, "P"),
 }
-MARKERS = {
-    "injection": "v",
-    "detection": "D",
-    "false_alarm": "X",
-    "release": "s",
-    "recovered": "o",
-    "lost": "P",
-}
-"""What stands at the top of each event's line, so that kinds are told apart without colour."""
+"""By the kind of an event: the style of its line, and what stands at its top, so that kinds are told apart without colour."""
 
 
 @dataclass(frozen=True)
@@ -50,19 +42,14 @@ def marks(events: Sequence[Mapping[str, Any]], flight: Flight) -> list[Mark]:
     """A mark for each of these events of a flight, in order of time; events of one kind at the same time share a mark."""
     texts: dict[tuple[float, str], list[str]] = {}
     for event in events:
-        if event["kind"] in STYLES and event.get("after_s") != 0.0:  # it never left the limits of a recovery
+        if event["kind"] in LOOKS and event.get("after_s") != 0.0:  # it never left the limits of a recovery
             texts.setdefault((event["time_s"], event["kind"]), []).append(describe(event, flight))
-    found = [
-        Mark(time, ", ".join(labels), STYLES[kind], MARKERS[kind])
-        for (time, kind), labels in sorted(texts.items())
+    found = [Mark(time, ", ".join(labels), *LOOKS[kind]) for (time, kind), labels in sorted(texts.items())]
+    more = f"and {len(found) - _MOST_LABELS} more events"
+    return [
+        mark if i < _MOST_LABELS else replace(mark, label=more if i == _MOST_LABELS else "")
+        for i, mark in enumerate(found[:_MOST_LINES])
     ]
-    shown = found[:_MOST_LINES]
-    if len(found) > _MOST_LABELS:
-        more = f"and {len(found) - _MOST_LABELS} more events"
-        last = shown[_MOST_LABELS]
-        rest = [Mark(m.time_s, more if m is last else "", m.style, m.marker) for m in shown[_MOST_LABELS:]]
-        shown[_MOST_LABELS:] = rest
-    return shown
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:

@@ -135,12 +135,10 @@ def _shade(axes: Axes, shown: Shown, panel: Panel) -> None:
     if not panel.flag:
         return
     time, (left, right) = shown.log["time_s"], axes.get_xlim()
-    label = panel.flagged
     for first, end in stretches(shown.log[panel.flag] > 0.5)[:_MOST_SHADES]:
         since, until = time[first], time[end] if end < len(time) else shown.end_s
         if since < right and until > left:
-            axes.axvspan(max(since, left), min(until, right), label=label, **_SHADE)
-            label = "_"  # one entry in the legend
+            axes.axvspan(max(since, left), min(until, right), label=panel.flagged, **_SHADE)
 
 
 def _fitted(panel: Panel, series: Series, values: np.ndarray) -> np.ndarray:

@@ -69,10 +69,9 @@ def phases(
             for time in sorted({failure.until_s for failure in failures if begin < failure.until_s < end}):
                 name = _phase_of([f for f in failures if f.from_s <= time < f.until_s], events, time)
                 found.extend([(time, name)] if name != "unnoticed" else [])
-    ends = [time for time, _ in found[1:]] + [end_s]
     made = [
         {"name": name, "from_s": begin, "until_s": end}
-        for (begin, name), end in zip(found, ends, strict=True)
+        for (begin, name), (end, _) in pairwise([*found, (end_s, "")])
         if end > begin
     ]
     if any(event["kind"] == "lost" for event in events):

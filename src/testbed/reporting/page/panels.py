@@ -11,7 +11,7 @@ import numpy as np
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import row_at, stretches
 from testbed.flight.flight import Flight
-from testbed.reporting.panels import GROUPS, Panel, error_of, reference_of
+from testbed.reporting.panels import GROUPS, TRACKED, Panel
 from testbed.scenario.requirement import Requirement
 
 SHOWN = ("errors", "effectiveness", "actuators", "own", "attitude", "rates")
@@ -61,13 +61,13 @@ def _drawn(panel: Panel) -> dict[str, Any]:
 
 def _verdicts(flight: Flight, column: str, log: Mapping[str, np.ndarray]) -> dict[str, list[dict[str, Any]]]:
     """Bands of the requirements on an error, and the stretches in which it is outside of them."""
-    quantity = column.partition("_")[0]
-    time, error, end_s = log["time_s"], log[error_of(quantity)], float(log["time_s"][-1])
+    of = next(of for of in TRACKED.values() if of.error == column)
+    time, error, end_s = log["time_s"], log[column], float(log["time_s"][-1])
     bands: list[dict[str, Any]] = []
     missed: list[dict[str, Any]] = []
     for requirement, verdict in zip(flight.scenario.requirements, flight.requirements, strict=False):
         limit = requirement.within
-        if limit is None or requirement.of != reference_of(quantity):
+        if limit is None or requirement.of != of.reference:
             continue
         begin, end = requirement.begins_s, end_s if requirement.until_s is None else requirement.until_s
         bands.append(
@@ -76,7 +76,7 @@ def _verdicts(flight: Flight, column: str, log: Mapping[str, np.ndarray]) -> dic
         if not (requirement.eventually and verdict["passed"]):
             rows = slice(row_at(time, begin), row_at(time, end))
             missed += _missed(
-                requirement, time[rows], wrap_deg(error[rows]) if quantity == "heading" else error[rows]
+                requirement, time[rows], wrap_deg(error[rows]) if of is TRACKED["heading"] else error[rows]
             )
     return {"bands": bands, "missed": missed}
 

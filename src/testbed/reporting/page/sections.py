@@ -135,12 +135,10 @@ def requirements(flight: Flight) -> Iterator[Html]:
 def _bar(requirement: Mapping[str, Any]) -> str:
     """The worst value as a share of the limit, up to twice the limit; empty where there is no such share."""
     value, margin = requirement["value"], requirement.get("margin")
-    if value is None or margin is None or not math.isfinite(value) or not math.isfinite(margin):
+    if value is None or margin is None or not 0.0 <= value < math.inf or not -value < margin < math.inf:
         return ""
-    allowed = abs(value) + margin if value >= 0 else None
-    if not allowed or allowed <= 0.0:
-        return ""
-    filled = tag("i", style=f"width:{50 * min(abs(value) / allowed, 2.0):.1f}%")
+    allowed = value + margin
+    filled = tag("i", style=f"width:{50 * min(value / allowed, 2.0):.1f}%")
     kind = "margin" if requirement["passed"] else "margin missed"
     return tag("span", filled, tag("u", style="left:50%"), class_=kind)
 
@@ -179,7 +177,7 @@ def definition(metric: str) -> str:
     return first_line(function) if function else ""
 
 
-def again(flight: Flight, how: Html = AGAIN) -> Iterator[Html]:
+def again(flight: Flight, how: Html) -> Iterator[Html]:
     """The resolved scenario, the versions, and the HTML `how` with the command that flies it again."""
     yield tag("h2", "Fly it again")
     yield how

@@ -11,7 +11,7 @@ import numpy as np
 
 from testbed.common.angles import unwrapped_deg
 from testbed.common.statistics import proportion
-from testbed.reporting.panels import TRACKED, error_of, error_panel
+from testbed.reporting.panels import TRACKED, error_panel
 from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
@@ -126,7 +126,7 @@ def errors(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, 
     times, count = histories.times_s(duration_s), len(plan.variants)
     groups = [rows["run"].to_numpy() * count + i for i, (_, rows) in enumerate(groups_of(plan, frame))]
     for quantity, drawn in TRACKED.items():
-        channel = error_of(quantity)
+        channel = drawn.error
         bands = [error_band(folder, flights, channel, count) for flights in groups]
         if any(band is not None and band["median"] != [None] * histories.POINTS for band in bands):
             yield {
