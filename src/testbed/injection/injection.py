@@ -46,13 +46,10 @@ class Injection:
         stream: str,
         healthy: Callable[[str], float] | None = None,
     ) -> None:
-        """A failure that has not started.
+        """A failure that has not started, in a flight with this `seed`.
 
-        Args:
-            seed: that of the flight.
-            stream: name of its own random stream.
-            healthy: gives the value of a property before the flight, by default the present one. In flight, another failure may
-                hold the property, and the present value is not the one to be restored.
+        `healthy` gives the value of a property before the flight, by default the present one. In flight, another failure may hold
+        the property, and the present value is not the one to be restored.
         """
         self.failure, self.active, self.waiting = failure, False, failure.when is not None
         self.actuator = broken_actuator(failure, aircraft)

@@ -88,7 +88,6 @@ class Injector:
 
     @property
     def failures(self) -> tuple[Failure, ...]:
-        """The failures of this flight."""
         return tuple(each.failure for each in self._injections)
 
     @property
@@ -152,8 +151,7 @@ class Injector:
     def concluded(self, steps: int) -> tuple[list[dict[str, Any]], list[str]]:
         """The receipts as they are if the flight ends now, and a warning for each failure that did not act as asked.
 
-        Args:
-            steps: the flight's control steps. Failures that begin after them are left out.
+        Failures that begin after the flight's control `steps` are left out.
         """
         last = [
             injection.concluded()

@@ -36,11 +36,7 @@ def signs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[
 
 
 def unnoticed(log: Mapping[str, np.ndarray], failures: Iterable[ActiveFailure]) -> list[ActiveFailure]:
-    """Those of some failures of actuators of which there was no sign while they were active.
-
-    Args:
-        log: columns by name, each [rows].
-    """
+    """Those of some failures of actuators of which the log's columns [rows] have no sign while they were active."""
     return [failure for failure in failures if not _seen(log, failure)]
 
 

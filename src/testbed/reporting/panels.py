@@ -85,7 +85,6 @@ class Panel:
 
     @property
     def heading(self) -> str:
-        """Title and unit."""
         return f"{self.title} [{self.unit}]"
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from testbed.flight.breakage import failure_times_s, failures_of
-from testbed.reporting.comparison.panels import columns_of, of_all
+from testbed.flight.breakage import failures_of
+from testbed.reporting.comparison.panels import began, columns_of, of_all
 from testbed.reporting.figures.events import LOOKS, Mark
 from testbed.reporting.figures.lines import Shown
 from testbed.reporting.figures.sheet import Sheet, plain_text, png
@@ -25,14 +25,9 @@ _MOST_DEG = 360.0  # of heading: a lost aircraft turns and turns
 def picture(comparison: Comparison) -> bytes:
     """The figure as a PNG."""
     log = columns_of(comparison.flights)
-    title, broken = comparison.flights[0].scenario.name, _broken(comparison)
-    shown = Shown(
-        title,
-        broken,
-        max(float(log["time_s"][-1]), 1e-3),
-        log,
-        sorted(_marks(comparison), key=lambda mark: mark.time_s),
-    )
+    title, end_s = comparison.flights[0].scenario.name, max(float(log["time_s"][-1]), 1e-3)
+    marks = sorted(_marks(comparison), key=lambda mark: mark.time_s)
+    shown = Shown(title, _broken(comparison), end_s, log, marks)
     heading = replace(error_panel("heading"), most=_MOST_DEG)
     panels = of_all([error_panel("altitude"), heading, next(states(comparison.flights[0]))], comparison, log)
     with plain_text():
@@ -41,12 +36,9 @@ def picture(comparison: Comparison) -> bytes:
 
 def _marks(comparison: Comparison) -> Iterator[Mark]:
     """When failures began, and in which flights if not in all, and when each flight was lost, in its colour."""
-    began: dict[float, list[str]] = {}
-    for name, flight in zip(comparison.keys, comparison.flights, strict=True):
-        for time in failure_times_s(flight.events):
-            began.setdefault(time, []).append(name)
-    for time, names in sorted(began.items()):
-        whose = "" if len(names) == len(comparison.keys) else f" {joined(names)}"
+    for time, having in began(comparison.flights).items():
+        every = len(having) == len(comparison.flights)
+        whose = "" if every else f" {joined([comparison.keys[i] for i in having])}"
         yield Mark(time, f"failure{whose}", *LOOKS["injection"])
     for i, (name, flight) in enumerate(zip(comparison.keys, comparison.flights, strict=True)):
         if flight.outcome.is_lost:

@@ -72,7 +72,11 @@ def _minus(one: np.ndarray, other: np.ndarray, name: str) -> np.ndarray:
 def groups(comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
     flights, names = comparison.flights, comparison.keys
-    failures = list(_failures(comparison))
+    failures = [  # of all flights, or in the colour of each one that they belong to
+        {"time_s": time, "style": style}
+        for time, having in began(flights).items()
+        for style in (["failure"] if len(having) == len(flights) else [f"v{i % _STYLES}" for i in having])
+    ]
     made = [
         ("errors", "Errors against the references", False, _all_panels(flights, errors)),
         ("differences", f"Differences from {names[0]}", False, list(_differences())),
@@ -86,16 +90,13 @@ def groups(comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[dict[s
     return drawn
 
 
-def _failures(comparison: Comparison) -> Iterator[dict[str, Any]]:
-    """{time_s, style} of each failure: of all flights, or in the colour of the one that it belongs to."""
-    times = [failure_times_s(flight.events) for flight in comparison.flights]
-    for time in sorted({time for each in times for time in each}):
-        having = [i for i, each in enumerate(times) if time in each]
-        every = len(having) == len(times)
-        yield from (
-            {"time_s": time, "style": style}
-            for style in (["failure"] if every else [f"v{i % _STYLES}" for i in having])
-        )
+def began(flights: Sequence[Flight]) -> dict[float, list[int]]:
+    """{time [s]: the numbers of the flights in which failures began then}, in order of time."""
+    found: dict[float, list[int]] = {}
+    for i, flight in enumerate(flights):
+        for time in failure_times_s(flight.events):
+            found.setdefault(time, []).append(i)
+    return dict(sorted(found.items()))
 
 
 def _all_panels(flights: Sequence[Flight], make: Callable[[Flight], Iterator[Panel]]) -> list[Panel]:

@@ -44,16 +44,10 @@ TABLE: dict[str, Format] = {
 
 
 def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_ORIGIN) -> Path:
-    """Write a flight in a format of TABLE, completely or not at all; returns the file.
+    """Write a flight in a format of TABLE, completely or not at all; returns the file. `origin` is for formats that show a place.
 
-    Args:
-        to: name of the format.
-        file: the file to write; an existing one is never overwritten.
-        origin: where on earth the flight starts; for formats that show a place.
-
-    Raises:
-        BadInput: there is no such format, the log lacks a column, a package is not installed, or the file exists or cannot be
-            written.
+    Raises BadInput: there is no such format, the log lacks a column, a package is not installed, or the file exists or cannot be
+    written.
     """
     file, needed = Path(file), format_of(to).needs
     refuse_unwritable(file)

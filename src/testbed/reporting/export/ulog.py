@@ -7,7 +7,7 @@ has a topic of its name, in the unit of the aircraft's YAML. Body axes are x for
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import BinaryIO
 
 import numpy as np
@@ -40,8 +40,9 @@ def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
         stream.write(_message(b"A", struct.pack("<BH", 0, number) + name.encode()))
     each = [_data(number, time_us, fields) for number, fields in enumerate(topics.values())]
     stream.write(np.concatenate(each, axis=1).tobytes())  # as they would be logged: all topics at each time
-    for said in _events(flight):
-        stream.write(said)
+    for event in flight.events:
+        level, when = _LEVELS.get(str(event["kind"]), b"6"), struct.pack("<Q", round(event["time_s"] * 1e6))
+        stream.write(_message(b"L", level + when + describe(event, flight).encode()[:_TEXT]))
 
 
 def _topics(flight: Flight) -> dict[str, _Topic]:
@@ -106,13 +107,6 @@ def _data(number: int, time_us: np.ndarray, fields: _Topic) -> np.ndarray:
     made["size"], made["kind"], made["id"] = made.dtype.itemsize - 3, b"D", number
     made["time"], made["values"] = time_us, values
     return made.view(np.uint8).reshape(len(made), made.dtype.itemsize)
-
-
-def _events(flight: Flight) -> Iterator[bytes]:
-    for event in flight.events:
-        level = _LEVELS.get(str(event["kind"]), b"6")
-        said = describe(event, flight).encode()[:_TEXT]
-        yield _message(b"L", level + struct.pack("<Q", round(event["time_s"] * 1e6)) + said)
 
 
 def _message(kind: bytes, content: bytes) -> bytes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -98,8 +98,8 @@ def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, part
     dense = None if wraps else band(time, values, last - first, parts)
     if dense is not None:
         look = {"color": style["color"], "alpha": 0.22, "linewidth": 0}
-        axes.fill_between(dense.time_s, dense.low, dense.high, label="extremes", **look)
-        time, values = dense.time_s, dense.mean
+        time, low, high, values = dense
+        axes.fill_between(time, low, high, label="extremes", **look)
     if wraps:
         jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
         time, values = np.insert(time, jumps, math.nan), np.insert(values, jumps, math.nan)
@@ -189,17 +189,8 @@ def _notes(axes: Axes, panel: Panel) -> None:
         axes.text(place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER)
 
 
-class Band(NamedTuple):
-    """A dense signal in parts of the time axis: [parts] middle of each in time, and the signal's extremes and mean there."""
-
-    time_s: np.ndarray
-    low: np.ndarray
-    high: np.ndarray
-    mean: np.ndarray
-
-
-def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> Band | None:
-    """The signal as a band, where a line would be a blot; None where a line can be read.
+def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> np.ndarray | None:
+    """[4, parts] the signal as a band: time of each part's middle, least, greatest and mean value there; None where a line can be read.
 
     It is dense if, over the time it is drawn in, its path up and down is many times its spread (10 to 90 % of its values).
 
@@ -217,5 +208,4 @@ def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> Ban
         return None
     first = np.arange(0, len(values) - each + 1, each)
     blocks = values[: len(first) * each].reshape(-1, each)
-    middle = time[first + each // 2]
-    return Band(middle, blocks.min(axis=1), blocks.max(axis=1), blocks.mean(axis=1))
+    return np.stack([time[first + each // 2], blocks.min(axis=1), blocks.max(axis=1), blocks.mean(axis=1)])

@@ -46,12 +46,8 @@ def phases(
     `held` from where it noticed the failure, and `unseen` all the time if it never did: it held without noticing.
     Once a failure ends that was none of these, the phase is what is left of the earlier ones: `flagged` if what is broken was
     noticed, `unnoticed` if not, `healthy` if nothing is broken.
-    A flight that ended early is `lost` from its end to where it should have ended.
-
-    Args:
-        end_s: when the flight ended [s].
-        planned_s: how long it should have been [s].
-        noticed_s: when something broken was noticed, in order [s] (see `reporting.noticing`).
+    A flight that ended early is `lost` from its end to where it should have ended (`planned_s`). `noticed_s` are the times at which
+    something broken was noticed, in order.
     """
     found: list[tuple[float, str]] = [(0.0, "healthy")]
     failures = failures_of(events)

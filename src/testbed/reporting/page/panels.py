@@ -22,11 +22,7 @@ _STYLES = {"position": "truth", "reference": "command"}
 
 
 def groups(flight: Flight, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
-    """{name, title, folded, panels} of each group; a group without panels is left out.
-
-    Args:
-        log: columns by name, each [rows], with those of `panels.error_columns`.
-    """
+    """{name, title, folded, panels} of each group that has panels, from the columns of `panels.shown_log`."""
     made = [
         group_of(name, GROUPS[name].title, GROUPS[name].folded, GROUPS[name].of(flight)) for name in SHOWN
     ]
