@@ -141,9 +141,8 @@ def _policy(code: str, connects: str) -> str:
 def is_page(file: Path) -> bool:
     """Whether a file is a page that `write_page` wrote."""
     with file.open(encoding="utf-8", errors="replace") as stream:
-        return (
-            joined(_POLICY) in (begun := stream.read(1000)) or _POLICY in begun
-        )  # earlier versions did not escape
+        begun = stream.read(1000)
+    return joined(_POLICY) in begun or _POLICY in begun  # earlier versions did not escape
 
 
 def _data(name: str, value: Any) -> Html:

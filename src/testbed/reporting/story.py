@@ -98,20 +98,16 @@ def _failures(flight: Flight) -> Iterator[str]:
 
 def _failure(flight: Flight, failure: ActiveFailure) -> str:
     late = " This had no effect on the aircraft." if failure.verified is False else ""
-    until = _until(failure.until_s, math.inf)
+    until = f", until {failure.until_s:.1f} s" if failure.until_s < math.inf else ""
     return f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{until}.{late}"
 
 
 def _fault(flight: Flight, begun: Mapping[str, Any]) -> str:
     fault = flight.scenario.sensors.faults[begun["fault"]]
     late = "" if begun["verified"] else " This changed no reading."
-    until = "" if fault.until_s is None else _until(fault.until_s, flight.end_time_s)
+    ended = fault.until_s is not None and fault.until_s < flight.end_time_s
+    until = f", until {fault.until_s:.1f} s" if ended else ""
     return f"At {begun['time_s']:.1f} s the sensor {title(fault.sensor)} {fault.words()}{until}.{late}"
-
-
-def _until(until_s: float, end_s: float) -> str:
-    """When something ended, if it was before an end [s]."""
-    return f", until {until_s:.1f} s" if until_s < end_s else ""
 
 
 def _controller(view: Readings) -> Iterator[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any, BinaryIO, NamedTuple
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -34,12 +34,8 @@ _FOXGLOVE = {"/tf": "foxglove.FrameTransform", "/location": "foxglove.LocationFi
 _TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
 
 
-class Message(NamedTuple):
-    """What is said on a topic at a time of the flight."""
-
-    time_s: float
-    topic: str
-    contents: dict[str, Any]
+Message = tuple[float, str, dict[str, Any]]
+"""Time of the flight [s], topic, and what is said there then."""
 
 
 def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
@@ -54,14 +50,14 @@ def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     channels: dict[str, int] = {}
     writer = Writer(stream)
     writer.start(profile="", library="testbed")
-    for sequence, message in enumerate(sorted(said, key=lambda m: m[:2])):
-        now = EPOCH_S * 10**9 + round(message.time_s * 1e9)
-        contents = {"timestamp": {"sec": now // 10**9, "nsec": now % 10**9}, **message.contents}
-        if message.topic not in channels:
-            schema = _schema({**contents, **dict.fromkeys(topics.get(message.topic, ()), 0.0)})
-            channels[message.topic] = _channel(writer, flight, message.topic, schema, topics)
-        data = json.dumps(contents, allow_nan=False).encode()
-        writer.add_message(channels[message.topic], now, data, now, sequence)
+    for sequence, (time_s, topic, contents) in enumerate(sorted(said, key=lambda message: message[:2])):
+        now = EPOCH_S * 10**9 + round(time_s * 1e9)
+        stamped = {"timestamp": {"sec": now // 10**9, "nsec": now % 10**9}, **contents}
+        if topic not in channels:
+            schema = _schema({**stamped, **dict.fromkeys(topics.get(topic, ()), 0.0)})
+            channels[topic] = _channel(writer, flight, topic, schema, topics)
+        data = json.dumps(stamped, allow_nan=False).encode()
+        writer.add_message(channels[topic], now, data, now, sequence)
     writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
     writer.finish()
 
@@ -109,9 +105,9 @@ def _motion(track: Poses) -> Iterator[Message]:
             "translation": dict(zip("xyz", place, strict=True)),
             "rotation": dict(zip("xyzw", turn, strict=True)),
         }
-        yield Message(time, "/tf", {**frames, **pose})
+        yield time, "/tf", {**frames, **pose}
         at = dict(zip(("latitude", "longitude", "altitude"), on_earth, strict=True))
-        yield Message(time, "/location", {"frame_id": "aircraft", **at, **unknown})
+        yield time, "/location", {"frame_id": "aircraft", **at, **unknown}
 
 
 def _signals(flight: Flight, topics: Mapping[str, Mapping[str, str]]) -> Iterator[Message]:
@@ -119,13 +115,13 @@ def _signals(flight: Flight, topics: Mapping[str, Mapping[str, str]]) -> Iterato
     log = {name: values[rows].tolist() for name, values in flight.signals.items()}
     for k, time in enumerate(log["time_s"]):
         for topic, of in topics.items():
-            yield Message(time, topic, {name: v for name, c in of.items() if math.isfinite(v := log[c][k])})
+            yield time, topic, {name: v for name, c in of.items() if math.isfinite(v := log[c][k])}
 
 
 def _events(flight: Flight) -> Iterator[Message]:
     for event in flight.events:
         words = {"message": describe(event, flight), "name": event["kind"], "file": "", "line": 0}
-        yield Message(float(event["time_s"]), "/events", {"level": _LEVELS.get(event["kind"], 2), **words})
+        yield float(event["time_s"]), "/events", {"level": _LEVELS.get(event["kind"], 2), **words}
 
 
 def rotation(roll_deg: np.ndarray, pitch_deg: np.ndarray, heading_deg: np.ndarray) -> np.ndarray:

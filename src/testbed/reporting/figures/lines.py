@@ -190,7 +190,7 @@ def _notes(axes: Axes, panel: Panel) -> None:
 
 
 def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> np.ndarray | None:
-    """[4, parts] the signal as a band: time of each part's middle, least, greatest and mean value there; None where a line can be read.
+    """[4, parts] the signal as a band: middle of each part in time, least, greatest and mean value; None where a line can be read.
 
     It is dense if, over the time it is drawn in, its path up and down is many times its spread (10 to 90 % of its values).
 
