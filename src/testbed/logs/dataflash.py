@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.logs.flight_log import bad
 
 MAGIC = b"\xa3\x95"
 """How every message begins; a byte with its kind follows."""
@@ -71,12 +72,10 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
 
     Raises BadInput for what is no such log, a name that is none, and a message or field that the log has not.
     """
-    asked = {name: _parts(file, name) for name in names}
+    asked = {name: parts(_NAME, file, name, "MESSAGE.Field, such as IMU.GyrX") for name in names}
     kinds = {name: kind for name, kind in _kinds(file, content).items() if kind.places}
     if _is_copter(content, kinds):
-        raise BadInput(
-            [Problem("is the log of a multicopter", str(file), expected="an aircraft with a wing")]
-        )
+        raise bad("is the log of a multicopter", file, expected="an aircraft with a wing")
     problems = []
     for name, (kind, _, wanted) in asked.items():
         if kind not in kinds or wanted not in kinds[kind].fields:
@@ -85,9 +84,8 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
             word = wanted if kind in kinds else kind
             problems.append(Problem(f"{what}, for {name}", str(file), None, "", *guess(word, known)))
         elif kinds[kind].time is None:
-            problems.append(
-                Problem(f"has no {next(iter(TIMES_US))} of {kind}, for {name}", str(file), expected=_EXPECTED)
-            )
+            what = f"has no {next(iter(TIMES_US))} of {kind}, for {name}"
+            problems.append(Problem(what, str(file), expected=_EXPECTED))
     if problems:
         raise BadInput(problems)
     found = {name: _series(file, content, name, kinds[kind], (number, wanted))
@@ -107,7 +105,7 @@ def _series(
     """(times [us], values) of a field of one sensor."""
     rows = kind.instances(content) == which[0]
     if not np.any(rows):
-        raise BadInput([Problem("has no message of this sensor", str(file), path=name)])
+        raise bad("has no message of this sensor", file, name)
     assert kind.time is not None
     time_us = kind.values(content, kind.time) * TIMES_US[kind.time]
     values = kind.values(content, which[1])[rows]
@@ -116,12 +114,11 @@ def _series(
     return time_us[rows], values
 
 
-def _parts(file: Path, name: str) -> tuple[str, int, str]:
-    found = _NAME.fullmatch(name)
+def parts(pattern: re.Pattern[str], file: Path, name: str, expected: str) -> tuple[str, int, str]:
+    """(message or topic, number of the sensor, field) of a column's name; raises BadInput for one that is none."""
+    found = pattern.fullmatch(name)
     if not found:
-        raise BadInput(
-            [Problem(f"has no column {name[:80]!r}", str(file), expected="MESSAGE.Field, such as IMU.GyrX")]
-        )
+        raise bad(f"has no column {name[:80]!r}", file, expected=expected)
     return found[1], int(found[2] or 0), found[3]
 
 
@@ -145,9 +142,9 @@ def _kinds(file: Path, content: bytes) -> dict[str, _Kind]:
             kinds[content[at + 2]][1].places.append(at)
             at += size
     else:
-        raise BadInput([Problem(f"has more than {_MOST} messages", str(file), expected=_EXPECTED)])
+        raise bad(f"has more than {_MOST} messages", file, expected=_EXPECTED)
     if lost > _MOST_LOST or not any(kind.places for _, kind in kinds.values()):
-        raise BadInput([Problem("cannot be read: is no chain of messages", str(file), expected=_EXPECTED)])
+        raise bad("cannot be read: is no chain of messages", file, expected=_EXPECTED)
     return dict(kinds.values())
 
 

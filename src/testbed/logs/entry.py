@@ -18,7 +18,7 @@ from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.logs import identified_page, identified_words, mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
-from testbed.logs.flight_log import FlightLog
+from testbed.logs.flight_log import FlightLog, bad
 from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
@@ -122,23 +122,18 @@ def _read(
 ) -> tuple[FlightLog, Aircraft, Flight | None]:
     if path.is_dir():
         if columns is not None:
-            raise BadInput([Problem("is for a file, and the log is a run folder", "--columns")])
+            raise bad("is for a file, and the log is a run folder", "--columns")
         read, flight = own.read(path)
         aircraft = load_aircraft(str(model or flight.scenario.aircraft))
         if tuple(aircraft.actuators) != tuple(flight.actuators):
-            raise BadInput([Problem(f"has other actuators than {aircraft.name}", str(path))])
+            raise bad(f"has other actuators than {aircraft.name}", path)
         return read, aircraft, flight
     if not path.exists():
         what, near = "there is no such file or folder", map(str, path.parent.glob("*"))
         raise BadInput([Problem(what, str(path), suggestion=did_you_mean(str(path), near))])
     needed = {"--model": model, "--columns": columns}
-    missing = [
-        Problem("is needed with a log that is no run folder", name)
-        for name, value in needed.items()
-        if value is None
-    ]
-    if missing:
-        raise BadInput(missing)
+    if missing := [name for name, value in needed.items() if value is None]:
+        raise BadInput(Problem("is needed with a log that is no run folder", name) for name in missing)
     aircraft = load_aircraft(str(model))
     return mapped.read_table(path, Path(str(columns)), aircraft), aircraft, None
 

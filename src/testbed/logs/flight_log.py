@@ -38,7 +38,6 @@ _SPIKE = 10.0
 """A value so many times as large is no reading, and is taken for missing."""
 _FLIES_M_S = 1.0
 """An airspeed that some percent of the log of a flight are above."""
-_DEGREES = 57.3
 
 
 @dataclass(frozen=True)
@@ -90,19 +89,19 @@ def even(
     Raises:
         BadInput: too short or too long, times that are none, a signal that is missing, or in another unit.
     """
-    if problems := _missing(name, signals):
-        raise BadInput(problems)
+    if missing := [each for each in NEEDED if each not in signals]:
+        raise BadInput(Problem("is not in the log", name, path=each) for each in missing)
     where = {each: values for each, values in signals.items() if each in (*PLACE, *GLOBE)}
     signals = {each: values for each, values in signals.items() if each not in where}
     rows, remarks = _ascending(name, time_s)
     if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, column_of):
         raise BadInput(problems)
-    if problems := [*_oversized(name, commands, dict.fromkeys(commands, _LARGEST_COMMAND), str)]:
+    if problems := list(_oversized(name, commands, {}, str)):
         raise BadInput(problems)
     before, usual_s = time_s[rows], float(np.median(np.diff(time_s[rows])))
     step_s = 1.0 / min(max(1.0 / usual_s, _LEAST_HZ), _MOST_HZ)
     if (before[-1] - before[0]) / step_s > MOST_ROWS:
-        raise BadInput([Problem(f"lasts {before[-1] - before[0]:.0f} s", name, expected="a shorter log")])
+        raise bad(f"lasts {before[-1] - before[0]:.0f} s", name, expected="a shorter log")
     after = np.arange(before[0], before[-1], step_s)
     known = np.ones(len(after), dtype=bool)
     columns: dict[str, np.ndarray] = {}
@@ -165,15 +164,11 @@ def flown(log: FlightLog, least_m_s: float, aircraft: str) -> FlightLog:
         what, path = (
             (airspeed, "airspeed") if np.any(slow) else (f"has all that is needed for {known_s:.0f} s", "")
         )
-        raise BadInput([Problem(what, log.name, path=path, expected=f"at least {LEAST_S:g} s of flight")])
+        raise bad(what, log.name, path, f"at least {LEAST_S:g} s of flight")
     if not np.any(slow):
         return log
     said = f"In {100 * np.mean(slow):.1f} % of the time the airspeed is below {least_m_s:g} m/s; nothing is said there."
     return replace(log, known=known, remarks=(*log.remarks, said))
-
-
-def _missing(name: str, signals: Mapping[str, np.ndarray]) -> list[Problem]:
-    return [Problem("is not in the log", name, path=each) for each in NEEDED if each not in signals]
 
 
 def _impossible(
@@ -188,15 +183,11 @@ def _impossible(
         if not found and rate in signals and angle in signals and len(time_s) > 100:
             ratio = _ratio(time_s, signals[rate], signals[angle])
             if ratio > 10.0 or ratio < 0.1:
-                what = f"is {ratio:.3g} times the rate of {column_of(angle)}"
-                found.append(
-                    Problem(
-                        what,
-                        name,
-                        path=column_of(rate),
-                        expected=f"about 1 ({_DEGREES} is a unit of degrees)",
-                    )
+                what, about = (
+                    f"is {ratio:.3g} times the rate of {column_of(angle)}",
+                    "about 1 (57.3 is a unit of degrees)",
                 )
+                found.append(Problem(what, name, path=column_of(rate), expected=about))
     return found
 
 
@@ -212,8 +203,8 @@ def _oversized(
             yield Problem("has no numbers", name, path=column_of(signal))
             continue
         size = float(np.percentile(np.abs(values[~np.isnan(values)]), 99.0, method="higher"))
-        if size > largest[signal]:
-            expected = f"less than {largest[signal]:g}; is its unit right?"
+        if size > (most := largest.get(signal, _LARGEST_COMMAND)):
+            expected = f"less than {most:g}; is its unit right?"
             yield Problem(f"is up to {size:.3g} in SI", name, path=column_of(signal), expected=expected)
 
 
@@ -235,23 +226,14 @@ def _ascending(name: str, time_s: np.ndarray) -> tuple[np.ndarray, list[str]]:
     rows = np.flatnonzero(kept)
     if len(rows) < 0.9 * len(time_s) or len(rows) < 2:
         what = f"goes forward in {len(rows)} of {len(time_s)} rows"
-        raise BadInput([Problem(what, name, path="time", expected="times that increase, of one clock")])
+        raise bad(what, name, "time", "times that increase, of one clock")
     steps = np.diff(time_s[rows])
     span, usual = float(time_s[rows[-1]] - time_s[rows[0]]), float(np.median(steps))
     if span < LEAST_S or not 0.001 <= usual <= 0.5:
         what = f"goes from {time_s[rows[0]]:.6g} to {time_s[rows[-1]]:.6g} s in steps of {usual:.3g} s"
-        raise BadInput(
-            [
-                Problem(
-                    what,
-                    name,
-                    path="time",
-                    expected=f"at least {LEAST_S:g} s, at 2 to 1000 Hz; is its unit right?",
-                )
-            ]
-        )
+        raise bad(what, name, "time", f"at least {LEAST_S:g} s, at 2 to 1000 Hz; is its unit right?")
     if float(np.sum(steps[steps > 60.0])) > 0.5 * span:
-        raise BadInput([Problem("jumps for most of its length", name, path="time", expected="one clock")])
+        raise bad("jumps for most of its length", name, "time", "one clock")
     remarks = []
     if len(rows) < len(time_s):
         count = len(time_s) - len(rows)
@@ -281,6 +263,11 @@ def _states(columns: Mapping[str, np.ndarray], step_s: float) -> np.ndarray:
     for rate in "pqr":
         rows[:, STATE.index(f"{rate}_dot")] = np.gradient(columns[rate], step_s)
     return rows
+
+
+def bad(what: str, log: object, path: str = "", expected: str = "") -> BadInput:
+    """The exception of one problem with a log, at a column or signal `path`."""
+    return BadInput([Problem(what, str(log), path=path, expected=expected)])
 
 
 def shown(name: object) -> str:

@@ -21,10 +21,9 @@ from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.setup import Setup
-from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import output_error
 from testbed.logs.coefficients import Row, joined, rows_of
-from testbed.logs.flight_log import FlightLog
+from testbed.logs.flight_log import FlightLog, bad
 from testbed.logs.functions import Maker
 from testbed.logs.noise import noise_of, settled
 from testbed.logs.regression import BIN_S
@@ -143,7 +142,7 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
     }  # fmt: skip
     if still := [RATES[number] for number in (0, 1, 2) if number not in fits]:
         what = f"nothing moves in {', '.join(still)}, so nothing can be identified"
-        raise BadInput([Problem(what, logs[0].name, expected="a log of manoeuvres")])
+        raise bad(what, logs[0].name, expected="a log of manoeuvres")
     free = {
         name: bool(known) for i in (0, 1, 2) for name, known in zip(rows[i].names, fits[i].known, strict=True)
     }

@@ -18,7 +18,18 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
 from testbed.logs import dataflash, ulog
-from testbed.logs.flight_log import GLOBE, MOST_ROWS, NEEDED, OPTIONAL, PLACE, FlightLog, even, flown, shown
+from testbed.logs.flight_log import (
+    GLOBE,
+    MOST_ROWS,
+    NEEDED,
+    OPTIONAL,
+    PLACE,
+    FlightLog,
+    bad,
+    even,
+    flown,
+    shown,
+)
 
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
@@ -145,13 +156,7 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
     commands = {name: values[f"actuators.{name}"] for name in names}
     for name, each in list(commands.items()):
         if not np.any(np.isfinite(each)):
-            raise BadInput(
-                [
-                    Problem(
-                        "has no numbers: no actuator's output", str(file), path=mapping.actuators[name].column
-                    )
-                ]
-            )
+            raise bad("has no numbers: no actuator's output", file, mapping.actuators[name].column)
         commands[name] = _command(file, mapping.actuators[name], each, aircraft.actuators[name].limits)
     positions = np.array([mapping.actuators[name].unit == "N" for name in names])
     signals = {name: values[name] for name in mapping.signals}
@@ -177,9 +182,7 @@ def _command(file: Path, column: Column, values: np.ndarray, limits: tuple[float
         if high <= 1.05 and not (low < -0.05 and high < 0.05):
             return np.maximum(values, 0.0)
         what, expected = f"goes from {low:.3g} to {high:.3g} as a throttle", "0 to 1"
-    raise BadInput(
-        [Problem(what, str(file), path=shown(column.column), expected=f"{expected}; see zero and scale")]
-    )
+    raise bad(what, file, shown(column.column), f"{expected}; see zero and scale")
 
 
 def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
@@ -195,9 +198,9 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
 
     content = read_bytes(file, LARGEST, _EXPECTED)
     if not content.strip():
-        raise BadInput([Problem("is empty", str(file), expected=_EXPECTED)])
+        raise bad("is empty", file, expected=_EXPECTED)
     if what := next((words for start, words in _NO_LOG.items() if content.startswith(start)), ""):
-        raise BadInput([Problem(what, str(file), expected=_EXPECTED)])
+        raise bad(what, file, expected=_EXPECTED)
     if content.startswith(dataflash.MAGIC):
         return dataflash.columns(file, content, names, time)
     if content.startswith(ulog.MAGIC):
@@ -212,9 +215,7 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
             there = pa.csv.read_csv(io.BytesIO(head.encode() + b"\n")).column_names
             _refuse_large(file, content.count(b"\n"), len(there))
             if len(there) < 2:
-                raise BadInput(
-                    [Problem("is no table: its first line has one column", str(file), expected=_EXPECTED)]
-                )
+                raise bad("is no table: its first line has one column", file, expected=_EXPECTED)
             parquet = None
         _refuse_missing(file, names, there, source)
         if parquet is not None:
@@ -227,13 +228,13 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
         return {name: _numbers(file, name, table[name]) for name in names}
     except (pa.ArrowException, ValueError, KeyError, OSError) as error:
         words = str(error).splitlines()[0][:200]
-        raise BadInput([Problem(f"cannot be read: {words}", str(file), expected=_EXPECTED)]) from None
+        raise bad(f"cannot be read: {words}", file, expected=_EXPECTED) from None
 
 
 def _refuse_large(file: Path, rows: int, columns: int) -> None:
     if rows > MOST_ROWS or columns > _MOST_COLUMNS:
         expected = f"at most {MOST_ROWS} rows and {_MOST_COLUMNS} columns"
-        raise BadInput([Problem(f"has {rows} rows and {columns} columns", str(file), expected=expected)])
+        raise bad(f"has {rows} rows and {columns} columns", file, expected=expected)
 
 
 def _refuse_words(file: Path, name: str, kind: Any) -> None:
@@ -241,7 +242,7 @@ def _refuse_words(file: Path, name: str, kind: Any) -> None:
     import pyarrow as pa
 
     if not (pa.types.is_null(kind) or pa.types.is_integer(kind) or pa.types.is_floating(kind)):
-        raise BadInput([Problem(f"has {kind}", str(file), path=shown(name), expected="numbers")])
+        raise bad(f"has {kind}", file, shown(name), "numbers")
 
 
 def _refuse_missing(file: Path, names: list[str], there: list[str], source: Source) -> None:
@@ -251,15 +252,8 @@ def _refuse_missing(file: Path, names: list[str], there: list[str], source: Sour
     for name in (each for each in names if each not in there):
         # a blank at either end would not be seen
         known = (shown(each) if each == each.strip() else repr(shown(each)) for each in there)
-        expected, suggestion = guess(name, known)
-        problems.append(
-            Problem(
-                f"has no column {shown(name)!r}, which {source.file} names",
-                str(file),
-                expected=expected,
-                suggestion=suggestion,
-            )
-        )
+        what = f"has no column {shown(name)!r}, which {source.file} names"
+        problems.append(Problem(what, str(file), None, "", *guess(name, known)))
     if problems:
         raise BadInput(problems)
 

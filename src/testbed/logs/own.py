@@ -11,8 +11,7 @@ import numpy as np
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
-from testbed.inputs.problems import BadInput, Problem
-from testbed.logs.flight_log import FlightLog, even
+from testbed.logs.flight_log import FlightLog, bad, even
 from testbed.reporting.panels import response_of, shown_log
 from testbed.sensors.channels import CHANNELS, SI
 
@@ -32,13 +31,7 @@ def read(folder: Path) -> tuple[FlightLog, Flight]:
     commands = {name: log[f"{name}_command"] * unit for name, unit in units.items()}
     for name, values in commands.items():
         if not np.any(np.isfinite(values)):
-            raise BadInput(
-                [
-                    Problem(
-                        "has no numbers: the controller logs no commands", str(folder), path=f"{name}_command"
-                    )
-                ]
-            )
+            raise bad("has no numbers: the controller logs no commands", folder, f"{name}_command")
     if not np.any(np.isfinite(signals["u_dot"])):
         del signals["u_dot"]
     made = even(str(folder), log["time_s"], signals, commands, np.ones(len(commands), dtype=bool))

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.logs.dataflash import onto
+from testbed.logs.dataflash import onto, parts
+from testbed.logs.flight_log import bad
 
 MAGIC = b"ULog\x01\x12\x35"
 """How a file begins."""
@@ -38,7 +39,8 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
 
     Raises BadInput for what is no such log, a name that is none, and a topic or field that the log has not.
     """
-    asked = {name: _parts(file, name) for name in names}
+    expected = "TOPIC.field, such as vehicle_angular_velocity.xyz[0]"
+    asked = {name: parts(_NAME, file, name, expected) for name in names}
     series, known = _series(file, content, {topic for topic, _, _ in asked.values()})
     problems = []
     for name, (topic, instance, field) in asked.items():
@@ -61,14 +63,6 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
     }
 
 
-def _parts(file: Path, name: str) -> tuple[str, int, str]:
-    found = _NAME.fullmatch(name)
-    if not found:
-        expected = "TOPIC.field, such as vehicle_angular_velocity.xyz[0]"
-        raise BadInput([Problem(f"has no column {name[:80]!r}", str(file), expected=expected)])
-    return found[1], int(found[2] or 0), found[3]
-
-
 def _series(
     file: Path, content: bytes, topics: set[str]
 ) -> tuple[dict[tuple[str, int], dict[str, np.ndarray]], list[str]]:
@@ -76,24 +70,21 @@ def _series(
     try:
         from pyulog import ULog
     except ImportError:
-        raise BadInput([Problem("needs pyulog: pip install 'testbed[logs]'", str(file))]) from None
+        raise bad("needs pyulog: pip install 'testbed[logs]'", file) from None
     end, formats, known = _whole(content)
     if any(_size(name, formats) > _MOST_FIELDS for name in formats):
         what = f"has a format of more than {_MOST_FIELDS} fields, or of itself"
-        raise BadInput([Problem(what, str(file), expected=_EXPECTED)])
+        raise bad(what, file, expected=_EXPECTED)
     try:
         with redirect_stdout(io.StringIO()):  # it prints what it thinks of the file
             read = ULog(io.BytesIO(content[:end]), sorted(topics))
         found = {(each.name, int(each.multi_id)): _fields(each.data) for each in read.data_list}
         kind = _WINGLESS.get(int(read.initial_parameters.get("MAV_TYPE", 1)))
-    except (
-        Exception
-    ) as error:  # whatever pyulog says of bytes that are no log: it has errors of its own and Python's
+    except Exception as error:  # pyulog's own and Python's, of bytes that are no log
         words = f"cannot be read: {type(error).__name__}: {str(error)[:100]}"
-        raise BadInput([Problem(words, str(file), expected=_EXPECTED)]) from None
+        raise bad(words, file, expected=_EXPECTED) from None
     if kind is not None:
-        what = f"is the log of a {kind}, by its MAV_TYPE"
-        raise BadInput([Problem(what, str(file), expected="an aircraft with a wing")])
+        raise bad(f"is the log of a {kind}, by its MAV_TYPE", file, expected="an aircraft with a wing")
     return found, known
 
 
