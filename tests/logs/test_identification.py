@@ -19,10 +19,10 @@ from testbed.aircraft.design_model import load_design_model
 from testbed.common.signals import STATE
 from testbed.inputs.yaml_source import dump
 from testbed.logs import own
+from testbed.logs.coefficients import Row, without_white_noise
 from testbed.logs.entry import _setup, identify
 from testbed.logs.identification import Identified, identified
-from testbed.logs.output_error import BIN_S, Part, simulated
-from testbed.logs.vanes import without_white_noise
+from testbed.logs.output_error import BIN_S, simulated
 
 from .conftest import SCENARIO, Run
 
@@ -131,14 +131,11 @@ def test_simulated_rates_and_their_derivatives() -> None:
     count, damping = 200, -3.0
     time_s = BIN_S * np.arange(count)
     pushed = np.sin(2.0 * time_s)
-    part = Part(
-        ("Cl_p", "Cl_u"),
-        np.zeros(count),
-        np.column_stack([0 * time_s, pushed, 0 * time_s]),
-        np.diag([damping] * 3)[0],
-        (0, -1, -1),
-    )
-    still = [Part((), np.zeros(count), np.zeros((count, 1)), np.zeros(3), (-1, -1, -1)) for _ in range(2)]
+    zero, columns = np.zeros(count), np.column_stack([0 * time_s, pushed, 0 * time_s])
+    part = Row("p_dot", ("Cl_p", "Cl_u"), zero, columns, zero, np.array([damping, 0.0, 0.0]), (0, -1, -1))
+    still = [
+        Row(rate, (), zero, zero[:, None], zero, np.zeros(3), (-1, -1, -1)) for rate in ("q_dot", "r_dot")
+    ]
     rows, change = np.arange(count)[None], np.array([0.0, 0.5, 0.0, 0.0, 0.0])
     error, by_change, _ = simulated([part, *still], np.ones(count), rows, change)
     exact = 0.5 * (3.0 * np.sin(2.0 * time_s) - 2.0 * np.cos(2.0 * time_s)) / 13.0

@@ -1,6 +1,6 @@
 """Real flights and our own, from their logs: which actuator failed, when, and how much.
 
-`own` and `mapped` read a log into a `flight_log.FlightLog`. `replay` runs the law's regression (10) over it, `noise` makes its
+`own` and `mapped` read a log into a `flight_log.FlightLog`. `regression` runs the law's (10) over it, `noise` makes its
 errors white, `hypotheses` says what each actuator may have done, `chain` finds the likeliest course of these, and `smoothing` the
 effectiveness with its uncertainty. `diagnosis` is all of it, `page` and `scene` what is shown of it, and `entry` what users call.
 """

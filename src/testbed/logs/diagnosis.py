@@ -87,12 +87,10 @@ class Diagnosis:
 
 def diagnosed(log: FlightLog, setup: Setup, units: Sequence[str]) -> Diagnosis:
     """Diagnose a log with the design model of `setup`; `units` [n] of the actuators' positions, `deg` or `N`."""
-    data, m = regression(log, setup), model_record(setup)[0]
+    data, m = regression(log, setup, BIN_S, block=BLOCK), model_record(setup)[0]
     c = settings_record(setup, AdaptiveInversionSettings())[0]
     found = hypotheses(m.low, m.high, m.servo > 0)
-    cost, bins = costs(found), len(data.z) // BLOCK * BLOCK
-    data = _cut(data, bins)
-    course = np.zeros(bins // BLOCK, dtype=np.int64)
+    cost, course = costs(found), np.zeros(len(data.z) // BLOCK, dtype=np.int64)
     known = data.known & (data.time_s > data.time_s[0] + _BEGIN_S)
     for step in range(ROUNDS):
         errors, calm = _errors(data, found, course)
@@ -104,11 +102,6 @@ def diagnosed(log: FlightLog, setup: Setup, units: Sequence[str]) -> Diagnosis:
     probability = probabilities(evidence, cost)
     course = _renamed(_without_short(course), found, evidence, probability)
     return _told(log, setup, units, data, white, found, course, probability, float(c.process_noise))
-
-
-def _cut(data: Regression, bins: int) -> Regression:
-    phi = {variant: columns[:bins] for variant, columns in data.phi.items()}
-    return Regression(data.time_s[:bins], data.z[:bins], phi, data.unit[:bins], data.known[:bins])
 
 
 def _errors(

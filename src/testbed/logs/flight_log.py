@@ -89,8 +89,8 @@ def even(
     Raises:
         BadInput: too short or too long, times that are none, a signal that is missing, or in another unit.
     """
-    if missing := [each for each in NEEDED if each not in signals]:
-        raise BadInput(Problem("is not in the log", name, path=each) for each in missing)
+    if lacks := [each for each in NEEDED if each not in signals]:
+        raise BadInput(Problem("is not in the log", name, path=each) for each in lacks)
     where = {each: values for each, values in signals.items() if each in (*PLACE, *GLOBE)}
     signals = {each: values for each, values in signals.items() if each not in where}
     rows, remarks = _ascending(name, time_s)

@@ -4,8 +4,9 @@ By equation error, the rates that the model leaves are regressed on what each co
 and Morelli, Aircraft System Identification, 2006, chapter 5). By `output_error`, the turning rates are simulated. A factor of 1 is
 the aircraft's own model. Coefficients that are zero stay so.
 
-`vanes` takes the noise away that would make factors of both too small. What no filter gives back are commands that the log has not:
-a law answers the noise of its gyros in each of its steps, and of a log with every second one equation error makes half of a factor.
+`smoothed_vanes` takes the noise away that would make factors of both too small. What no filter gives back are commands that the
+log has not: a law answers the noise of its gyros in each of its steps, and of a log with every second one equation error makes half
+of a factor.
 """
 
 from __future__ import annotations
@@ -22,12 +23,11 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.setup import Setup
 from testbed.logs import output_error
-from testbed.logs.coefficients import Row, joined, rows_of
+from testbed.logs.coefficients import Row, Rows, rows_of, smoothed_vanes
 from testbed.logs.flight_log import FlightLog, bad
 from testbed.logs.functions import Maker
 from testbed.logs.noise import noise_of, settled
 from testbed.logs.regression import BIN_S
-from testbed.logs.vanes import smoothed_vanes
 
 KEPT_BACK = 0.3
 """Share of each log, at its end, that is not used but to validate."""
@@ -130,35 +130,31 @@ class Identified:
 def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:
     """The design model that logs of healthy flight give, from that of their `setups`, whose trim and condition it keeps."""
     logs = [smoothed_vanes(log) for log in logs]
-    parts, setup = [rows_of(log, each, BIN_S) for log, each in zip(logs, setups, strict=True)], setups[0]
-    which = np.concatenate([np.full(len(part.known), i) for i, part in enumerate(parts)])
-    time_s, known = (np.concatenate([getattr(part, name) for part in parts]) for name in ("time_s", "known"))
-    used = known & np.concatenate([np.arange(len(p.known)) < (1.0 - KEPT_BACK) * len(p.known) for p in parts])
+    rows, setup = rows_of(logs, setups, BIN_S), setups[0]
+    used = rows.known & np.concatenate([np.arange(n) < (1.0 - KEPT_BACK) * n for n in np.bincount(rows.log)])
     c = settings_record(setup, AdaptiveInversionSettings())[0]
-    rows = [joined([part.rates[number] for part in parts]) for number in range(len(RATES))]
     fits = {
         i: _fitted(row, used, float(c.model_error_std[i]), 1.0 / c.model_error_rate)
-        for i, row in enumerate(rows) if np.any(row.rate)
+        for i, row in enumerate(rows.rates) if np.any(row.measured)
     }  # fmt: skip
     if still := [RATES[number] for number in (0, 1, 2) if number not in fits]:
         what = f"nothing moves in {', '.join(still)}, so nothing can be identified"
         raise bad(what, logs[0].name, expected="a log of manoeuvres")
     free = {
-        name: bool(known) for i in (0, 1, 2) for name, known in zip(rows[i].names, fits[i].known, strict=True)
+        name: bool(x) for i in (0, 1, 2) for name, x in zip(rows.rates[i].names, fits[i].known, strict=True)
     }
     output = output_error.identified(logs, setups, free, KEPT_BACK)
     factors: list[Factor] = []
     validation: list[Validation] = []
     bias = np.array(setup.model.bias)
     for number, fit in fits.items():
-        row, rate = rows[number], RATES[number]
-        own = [_factor(rate, row.names, i, fit, output, which, time_s) for i in range(len(row.names))]
+        row = rows.rates[number]
+        own = [_factor(row, i, fit, output, rows) for i in range(len(row.names))]
         constant = output.constants.get(number, fit.constant)
         bias[number] += constant
         change = np.append([each.taken - 1.0 for each in own], constant)
-        validation.append(
-            _validated(rate, row, change, known & ~used, output.fits.get(number, (np.nan, np.nan)))
-        )
+        simulated = output.fits.get(number, (np.nan, np.nan))
+        validation.append(_validated(row, change, rows.known & ~used, simulated))
         factors += own
     model = setup.model.with_error({each.name: each.taken for each in factors})
     model = replace(model, bias=tuple(map(float, bias)))
@@ -201,27 +197,23 @@ def _fitted(row: Row, used: np.ndarray, model_std: float, model_time_s: float) -
     return _Fit(1.0 + change[:count], own, inflation[:count], free[:count], float(change[count]), white)
 
 
-def _factor(
-    rate: str, names: Sequence[str], i: int, fit: _Fit, output: output_error.Output, which: np.ndarray, time_s: np.ndarray
-) -> Factor:  # fmt: skip
+def _factor(row: Row, i: int, fit: _Fit, output: output_error.Output, rows: Rows) -> Factor:
     told = np.convolve(fit.white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
     best = int(np.argmax(told)) if len(told) else 0
     value, inflation = float(fit.value[i]), float(fit.inflation[i])
     stds = np.sqrt(np.diagonal(fit.covariance))
     correlations = fit.covariance[i] / (stds[i] * stds)
-    alike = max((j for j in range(len(names)) if j != i), key=lambda j: abs(correlations[j]), default=i)
-    simulated = output.factors.get(names[i], (np.nan, np.nan))
+    alike = max((j for j in range(len(stds)) if j != i), key=lambda j: abs(correlations[j]), default=i)
+    simulated = output.factors.get(row.names[i], (np.nan, np.nan))
     known = bool(fit.known[i]) and not simulated[1] > LARGEST_STD
     return Factor(
-        names[i], value, float(stds[i]), *simulated, inflation, names[alike], float(correlations[alike]), known,
-        int(which[best]), float(time_s[best]), rate,
+        row.names[i], value, float(stds[i]), *simulated, inflation, row.names[alike], float(correlations[alike]), known,
+        int(rows.log[best]), float(rows.time_s[best]), row.rate,
     )  # fmt: skip
 
 
-def _validated(
-    rate: str, row: Row, change: np.ndarray, kept: np.ndarray, simulated: tuple[float, float]
-) -> Validation:
-    signals = (row.rate[kept], row.left[kept], row.left[kept] - row.columns[kept] @ change)
+def _validated(row: Row, change: np.ndarray, kept: np.ndarray, simulated: tuple[float, float]) -> Validation:
+    signals = (row.measured[kept], row.left[kept], row.left[kept] - row.columns[kept] @ change)
     measured, before, after = (each - each.mean() for each in signals)
     spread = float(np.sqrt(np.mean(measured**2))) + 1e-12
     sizes = [float(np.sqrt(np.mean(each**2))) for each in (before, after, measured, measured - after)]
@@ -234,6 +226,6 @@ def _validated(
     fits = (1.0 - sizes[0] / spread, 1.0 - sizes[1] / spread)
     coloured = float(np.mean(np.abs(correlations) > white))
     return Validation(
-        rate, *fits, theil, coloured, *simulated,
+        row.rate, *fits, theil, coloured, *simulated,
         BIN_S * np.flatnonzero(kept), measured, measured - after, correlations, white,
     )  # fmt: skip

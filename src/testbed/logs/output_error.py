@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import toeplitz
 
-from testbed.aircraft.design_model import COLUMNS, DesignModel, coefficient_names
 from testbed.controllers.setup import Setup
-from testbed.logs.coefficients import Row, joined, rows_of
+from testbed.logs.coefficients import Row, Rows, rows_of
 from testbed.logs.flight_log import FlightLog
 
 STRETCH_S = 5.0
@@ -31,25 +30,6 @@ _LEAST = 4
 """Stretches, below which nothing is said."""
 Residuals = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Of stretches that were simulated: time [stretches, bins], p q r measured [stretches, bins, 3], and simulated minus measured."""
-
-
-@dataclass(frozen=True)
-class Part:
-    """Of one turning rate.
-
-    Attributes:
-        names: of its coefficients.
-        left: [bins] what the model leaves of it.
-        columns: [bins, names + 1] what each coefficient and the constant add.
-        slopes: [3] of the rate by p, q and r, of the model at its airspeed.
-        at: [3] the coefficient that each slope is, or -1.
-    """
-
-    names: tuple[str, ...]
-    left: np.ndarray
-    columns: np.ndarray
-    slopes: np.ndarray
-    at: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -72,13 +52,11 @@ def identified(
     logs: Sequence[FlightLog], setups: Sequence[Setup], free: Mapping[str, bool], kept_back: float
 ) -> Output:
     """Fit the coefficients of the turning rates that are `free`, by name; empty where the logs have too few whole stretches."""
-    each = [rows_of(log, setup, BIN_S) for log, setup in zip(logs, setups, strict=True)]
-    used, kept = _stretches([rows.known for rows in each], kept_back)
-    speed, turning = (np.concatenate([getattr(rows, name) for rows in each]) for name in ("speed", "turning"))
-    parts = [_part(joined([rows.rates[i] for rows in each]), setups[0].model, i) for i in range(3)]
+    rows = rows_of(logs, setups, BIN_S)
+    used, kept = _stretches(rows, kept_back)
+    parts, speed, there = rows.rates[:3], rows.speed, rows.turning[kept]
     names = [name for part in parts for name in (*part.names, "")]
     chosen = np.array([free.get(name, True) for name in names])
-    there = turning[kept]
     if len(used) < _LEAST:
         return Output({}, {}, {}, (BIN_S * kept[:0], there[:0], there[:0]), np.zeros((0, 0)))
     change, covariance = fitted(parts, speed, used, chosen)
@@ -97,36 +75,27 @@ def identified(
 
 def residuals(log: FlightLog, setup: Setup) -> Residuals:
     """What the model leaves if all actuators work."""
-    rows = rows_of(log, setup, BIN_S)
-    slopes = [np.array(setup.model.derivatives[i])[[COLUMNS.index(name) for name in "pqr"]] for i in range(3)]
+    rows = rows_of([log], [setup], BIN_S)
     still = np.zeros((len(rows.time_s), 1))
-    parts = [Part((), rows.rates[i].left, still, slopes[i], (-1, -1, -1)) for i in range(3)]
-    used, _ = _stretches([rows.known], 0.0)
+    parts = [replace(row, names=(), columns=still, at=(-1, -1, -1)) for row in rows.rates[:3]]
+    used, _ = _stretches(rows, 0.0)
     error, _, _ = simulated(parts, rows.speed, used, np.zeros(3))
     return rows.time_s[used], rows.turning[used], error
 
 
-def _stretches(known: Sequence[np.ndarray], kept_back: float) -> tuple[np.ndarray, np.ndarray]:
-    """[stretches, bins of one] rows of all logs in which everything is known: those used, and those kept back."""
-    width, first = round(STRETCH_S / BIN_S), 0
+def _stretches(rows: Rows, kept_back: float) -> tuple[np.ndarray, np.ndarray]:
+    """[stretches, bins of one] bins of all logs in which everything is known: those used, and those kept back."""
+    width = round(STRETCH_S / BIN_S)
     made: tuple[list[np.ndarray], list[np.ndarray]] = ([], [])
-    for there in known:
-        until = round((1.0 - kept_back) * len(there))
-        for start in range(0, len(there) - width, width):
-            if np.all(there[start : start + width]) and not start < until < start + width:
-                made[start >= until].append(first + start + np.arange(width))
-        first += len(there)
+    for number in np.unique(rows.log):
+        own = np.flatnonzero(rows.log == number)
+        until = round((1.0 - kept_back) * len(own))
+        for start in range(0, len(own) - width, width):
+            stretch = own[start : start + width]
+            if np.all(rows.known[stretch]) and not start < until < start + width:
+                made[start >= until].append(stretch)
     used, kept = (np.array(each, dtype=int).reshape(-1, width) for each in made)
     return used, kept
-
-
-def _part(row: Row, model: DesignModel, number: int) -> Part:
-    """Of p, q or r, by number."""
-    every = coefficient_names(model.actuators)[number * (len(COLUMNS) + len(model.actuators)) :]
-    own = [every[COLUMNS.index(name)] for name in "pqr"]
-    at = tuple(row.names.index(name) if name in row.names else -1 for name in own)
-    slopes = np.array([model.derivatives[number][COLUMNS.index(name)] for name in "pqr"])
-    return Part(row.names, row.left, row.columns, slopes, at)
 
 
 def _fits(error: np.ndarray, there: np.ndarray) -> list[float]:
@@ -138,7 +107,7 @@ def _fits(error: np.ndarray, there: np.ndarray) -> list[float]:
 
 
 def fitted(
-    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, free: np.ndarray
+    parts: Sequence[Row], speed: np.ndarray, rows: np.ndarray, free: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """(changes of all coefficients and constants from the model's, covariance of the free ones), by Gauss and Newton.
 
@@ -185,7 +154,7 @@ def _coloured(columns: np.ndarray, left: np.ndarray) -> np.ndarray:
 
 
 def simulated(
-    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, change: np.ndarray
+    parts: Sequence[Row], speed: np.ndarray, rows: np.ndarray, change: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Simulated minus measured rates, [stretches, bins, 3], each with the beginning that leaves least of it.
 
@@ -201,7 +170,7 @@ def simulated(
 
 
 def _run(
-    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, change: np.ndarray, begun: np.ndarray
+    parts: Sequence[Row], speed: np.ndarray, rows: np.ndarray, change: np.ndarray, begun: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     ends = np.cumsum([0, *(len(part.names) + 1 for part in parts)])
     A = np.stack([part.slopes for part in parts])

@@ -1,4 +1,9 @@
-"""The law's regression (10) of a whole log, averaged over bins of a tenth of a second."""
+"""The law's regression (10) of a whole log, averaged over bins of a tenth of a second: z = x_c_dot - f_m, and Phi.
+
+The compiled functions of the law run over the log. Their letters: y measured state, m design model, s memory, f working memory;
+fields, shapes and units are in `controllers.records`.
+"""
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
@@ -6,12 +11,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from testbed.common.jit import compiled
 from testbed.common.signals import RATES, STATE, as_records
+from testbed.controllers.actuator_model import advance_actuators, axial_speed
+from testbed.controllers.commands import command_actuators
 from testbed.controllers.initial_records import model_record, trimmed_memory
+from testbed.controllers.inversion.law import pressure_ratio_of, regressor, state_function
 from testbed.controllers.setup import Setup
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.hypotheses import VARIANTS, Variant
-from testbed.logs.replay import replay
 
 BIN_S = 0.1
 """Long enough for the noise of sensors that was differentiated to cancel, and short against what a failure does."""
@@ -37,21 +45,30 @@ class Regression:
     known: np.ndarray
 
 
-def regression(log: FlightLog, setup: Setup, bin_s: float = BIN_S) -> Regression:
-    """The regression of a log, with the design model of `setup`. A rate that the log has not is zero on both sides."""
+def regression(
+    log: FlightLog, setup: Setup, bin_s: float, variants: tuple[Variant, ...] = VARIANTS, block: int = 1
+) -> Regression:
+    """The regression of a log, with the design model of `setup`, in whole blocks of so many bins.
+
+    A rate that the log has not is zero on both sides.
+    """
     states = _completed(log, setup)
     width = max(round(bin_s / log.step_s), 1)
-    made = {variant: _replayed(log, states, setup, variant) for variant in VARIANTS[:1]}
-    z, nominal = made.pop(VARIANTS[0])
+    rows = len(states) // width // block * block * width
+
+    def binned(values: np.ndarray) -> np.ndarray:
+        return np.asarray(values[:rows].reshape(-1, width, *values.shape[1:]).mean(axis=1))
+
     rates = ~np.isnan(log.states[:, [STATE.index(rate) for rate in RATES]]).all(axis=0)
-    phi = {VARIANTS[0]: _binned(nominal, width) * rates[:, None]}
-    for variant in VARIANTS[1:]:
-        phi[variant] = _binned(_replayed(log, states, setup, variant)[1], width) * rates[:, None]
+    phi = {}
+    for variant in variants:
+        z, columns = _replayed(log, states, setup, variant)  # z is that of each
+        phi[variant] = binned(columns) * rates[:, None]
     m = model_record(setup)[0]
-    pressure = _binned((states[:, STATE.index("airspeed")] / m.airspeed) ** 2, width)
+    pressure = binned((states[:, STATE.index("airspeed")] / m.airspeed) ** 2)
     unit = m.B[None] * np.where(m.servo, pressure[:, None], 1.0)[:, None, :] * rates[:, None]
-    known = _binned(log.known.astype(float), width) > 0.999
-    return Regression(_binned(log.time_s, width), _binned(z, width) * rates, phi, unit, known)
+    known = binned(log.known.astype(float)) > 0.999
+    return Regression(binned(log.time_s), binned(z) * rates, phi, unit, known)
 
 
 def _completed(log: FlightLog, setup: Setup) -> np.ndarray:
@@ -78,13 +95,34 @@ def _replayed(
     before = round(_SETTLE / log.step_s)
     rows = np.concatenate([np.arange(before) * 0, np.arange(len(states))])
     z, phi = np.zeros((len(rows), 4)), np.zeros((len(rows), 4, n))
-    replay(
+    _replay(
         as_records(np.ascontiguousarray(states[rows]), STATE), np.ascontiguousarray(commands[rows]),
         log.as_positions.astype(float), log.step_s, m[0], s[0], np.zeros(4), z, phi,
     )  # fmt: skip
     return z[before:], phi[before:]
 
 
-def _binned(values: np.ndarray, width: int) -> np.ndarray:
-    count = len(values) // width
-    return np.asarray(values[: count * width].reshape(count, width, *values.shape[1:]).mean(axis=1))
+@compiled
+def _replay(states, commands, thrusts, dt, m, s, f, z, phi):
+    """Fill z [rows, 4] and Phi [rows, 4, n] of states [rows] and commands [rows, n].
+
+    Commands are rad or throttle; where `thrusts` [n] is set, the commanded position in scaled units.
+    """
+    for k in range(len(states)):
+        y = states[k]
+        if k > 0:
+            advance_actuators(dt, axial_speed(y), m, s)
+        for i in range(len(s.u)):
+            s.u[i] = commands[k, i]
+        command_actuators(axial_speed(y), m, s)
+        for i in range(len(s.u)):
+            if not thrusts[i]:
+                s.command[i] = commands[k, i]
+        pressure_ratio = pressure_ratio_of(y, m)
+        state_function(y, m, f)
+        z[k, 0], z[k, 1], z[k, 2], z[k, 3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
+        for i in range(
+            4
+        ):  # both f and Phi contain the constant part of the propellers' torque: count it once
+            z[k, i] += m.offset[i] * pressure_ratio
+        regressor(pressure_ratio, m, s, phi[k])
