@@ -16,7 +16,7 @@ import testbed
 from testbed.aircraft.description import load_aircraft
 from testbed.failures import TABLE
 from testbed.flight.folder import load
-from testbed.logs.entry import _diagnosed as diagnose_read
+from testbed.logs.diagnosis import diagnosed
 from testbed.logs.entry import _setup
 from testbed.logs.mapped import read_table
 from testbed.logs.scene import of_log
@@ -85,7 +85,7 @@ def test_a_files_page_replays_where_it_flew(tmp_path: Path, run: Run, log: Path)
     flown = load(run(WEAK, True)).log
     aircraft = load_aircraft("vtail")
     read = read_table(log, MAPPING, aircraft)
-    found = diagnose_read(read, aircraft, _setup(aircraft, read.step_s))
+    found = diagnosed(read, _setup(aircraft, read.step_s))
     scene = of_log(found, aircraft, stored(aircraft))
     for name in ("north_m", "east_m", "altitude_m", "left_ruddervator_command", "right_propeller_position"):
         there = flown[name.replace("_position", "_command")]

@@ -68,7 +68,7 @@ def _adjust(name: str) -> None:
 def _from_logs(options: Namespace) -> int:
     """Print what logs say of the design model, and write the model that they give. Raises BadInput."""
     from testbed.logs.entry import identify
-    from testbed.logs.identified_words import table
+    from testbed.logs.identified_report import table
 
     if options.check:
         raise BadInput([Problem("is not for --log", "--check")])

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from testbed.logs.hypotheses import NOMINAL, STATES, Hypothesis, hypotheses
 from testbed.logs.noise import Noise, noise_of, quiet, settled
 from testbed.logs.regression import BIN_S, Regression, regression
 from testbed.logs.smoothing import alone, smoothed
+from testbed.logs.words import WINDOW_S, Diagnosis, Finding
 
 BLOCK = 2
 """Bins of a block, in which nothing changes: 0.2 s."""
@@ -27,66 +28,12 @@ TEMPER = 0.5
 """Factor on log-likelihoods: what the model leaves out is not as white as the noise that was fitted."""
 ROUNDS = 2
 """Of fitting the noise to what the likeliest course leaves, and looking for that course."""
-WINDOW_S = 10.0
-"""Length of the windows in which it is said what can be known."""
-UNKNOWN_STD = 0.3
-"""Standard deviation of an effectiveness from a window alone [1] beyond which it says nothing."""
 _SHORTEST_S = 1.0  # of a finding; what is shorter is on the way to the next
 _BEGIN_S = 2.0  # at the beginning of a log, in which nothing is found
 
 
-@dataclass(frozen=True)
-class Finding:
-    """What one actuator did during a stretch: `state` of `hypotheses.STATES`, from and until [s].
-
-    `probability` is that of this state of this actuator, averaged over the stretch. `effectiveness` and `std` are the smoothed
-    ones; `position` is where it was held, or by how much it was offset, in its unit. NaN is what a state has not.
-    """
-
-    actuator: str
-    state: str
-    from_s: float
-    until_s: float
-    probability: float
-    effectiveness: float
-    std: float
-    position: float
-
-
-@dataclass(frozen=True)
-class Diagnosis:
-    """What a log says.
-
-    Attributes:
-        actuators: their names.
-        time_s: [T] beginning of each block of 0.2 s.
-        states: [T, n] number of `hypotheses.STATES`.
-        probability: [T, n] of that state.
-        effectiveness, std: [T, n] smoothed; NaN where an actuator is held, as nothing follows its command.
-        alone_std: [T, n] what a window of 10 s says by itself.
-        inflation: [T, n] of that variance by the other actuators' moving alike.
-        findings: each stretch in which an actuator did not work.
-    """
-
-    log: FlightLog
-    actuators: tuple[str, ...]
-    units: tuple[str, ...]
-    time_s: np.ndarray
-    states: np.ndarray
-    probability: np.ndarray
-    effectiveness: np.ndarray
-    std: np.ndarray
-    alone_std: np.ndarray
-    inflation: np.ndarray
-    findings: tuple[Finding, ...]
-
-    def unknown_share(self, actuator: int) -> float:
-        """Share of the log in which nothing can be known of an actuator."""
-        return float(np.mean(self.alone_std[:, actuator] > UNKNOWN_STD))
-
-
-def diagnosed(log: FlightLog, setup: Setup, units: Sequence[str]) -> Diagnosis:
-    """Diagnose a log with the design model of `setup`; `units` [n] of the actuators' positions, `deg` or `N`."""
+def diagnosed(log: FlightLog, setup: Setup) -> Diagnosis:
+    """Diagnose a log with the design model of `setup`."""
     data, m = regression(log, setup, BIN_S, block=BLOCK), model_record(setup)[0]
     c = settings_record(setup, AdaptiveInversionSettings())[0]
     found = hypotheses(m.low, m.high, m.servo > 0)
@@ -101,50 +48,46 @@ def diagnosed(log: FlightLog, setup: Setup, units: Sequence[str]) -> Diagnosis:
         course = likeliest(evidence, cost)
     probability = probabilities(evidence, cost)
     course = _renamed(_without_short(course), found, evidence, probability)
-    return _told(log, setup, units, data, white, found, course, probability, float(c.process_noise))
+    return _told(log, setup, white, found, course, probability, float(c.process_noise))
 
 
 def _errors(
     data: Regression, found: Sequence[Hypothesis], course: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """([bins, 4] what a course leaves of z, [bins] where nothing swings by itself)."""
-    explained, each, calm = (
-        data.phi[NOMINAL].sum(axis=2),
-        np.repeat(course, BLOCK),
-        np.ones(len(data.z), bool),
-    )
+    explained, calm = data.phi[NOMINAL].sum(axis=2), np.ones(len(data.z), bool)
+    each = np.repeat(course, BLOCK)
     for number in np.unique(course):
         one, rows = found[number], each == number
         if one.actuator >= 0:
-            explained[rows] += _change(data.phi, data.unit, one)[rows]
+            explained[rows] += _change(data, one)[rows]
             calm[rows] = one.swing == 0.0
     return data.z - explained, calm
 
 
-def _change(phi: dict, unit: np.ndarray, one: Hypothesis) -> np.ndarray:  # type: ignore[type-arg]
+def _change(data: Regression, one: Hypothesis) -> np.ndarray:
     """[bins, 4] what a hypothesis adds to the rates of a healthy aircraft."""
     i = one.actuator
-    return np.asarray(
-        one.gain * phi[one.variant][:, :, i] + one.position * unit[:, :, i] - phi[NOMINAL][:, :, i]
-    )
+    nominal, own = data.phi[NOMINAL][:, :, i], data.phi[one.variant][:, :, i]
+    return np.asarray(one.gain * own + one.position * data.unit[:, :, i] - nominal)
 
 
 class _White:
     """The regression with white errors of unit variance, and the variance that the model's own error adds."""
 
     def __init__(self, data: Regression, noise: Noise, known: np.ndarray) -> None:
-        self.phi = {variant: noise.white(columns) for variant, columns in data.phi.items()}
-        self.unit, self.z = noise.white(data.unit), noise.white(data.z)
+        phi = {variant: noise.white(columns) for variant, columns in data.phi.items()}
+        self.data = replace(data, z=noise.white(data.z), unit=noise.white(data.unit), phi=phi)
         self.at_once = np.einsum("ij,tjn->tin", noise.mixing, data.unit)
-        squares = np.sum(self.phi[NOMINAL] ** 2, axis=2) + self.z**2
+        squares = np.sum(phi[NOMINAL] ** 2, axis=2) + self.data.z**2
         kernel = np.ones(round(_SHARE_S / BIN_S)) * BIN_S / _SHARE_S
         mean = np.stack([np.convolve(column, kernel, "same") for column in squares.T], axis=1)
         self.weight = np.where(settled(known)[:, None], TEMPER / (1.0 + MODEL_SHARE**2 * mean), 0.0)
 
     def evidence(self, found: Sequence[Hypothesis]) -> np.ndarray:
         """[blocks, hypotheses] log-likelihoods, relative to that all actuators work."""
-        left = self.z - self.phi[NOMINAL].sum(axis=2)
-        made = np.zeros((len(self.z) // BLOCK, len(found)))
+        left = self.data.z - self.data.phi[NOMINAL].sum(axis=2)
+        made = np.zeros((len(left) // BLOCK, len(found)))
         for number, one in enumerate(found):
             if one.actuator >= 0:
                 ratio = self._swing(left, one) if one.swing else self._ratio(left, one)
@@ -152,7 +95,7 @@ class _White:
         return made
 
     def _ratio(self, left: np.ndarray, one: Hypothesis) -> np.ndarray:
-        change = _change(self.phi, self.unit, one)
+        change = _change(self.data, one)
         return np.asarray(((left - 0.5 * change) * change * self.weight).sum(axis=1))
 
     def _swing(self, left: np.ndarray, one: Hypothesis) -> np.ndarray:
@@ -161,6 +104,21 @@ class _White:
         power = one.swing**2 * (column * column * self.weight).sum(axis=1)
         along = one.swing * (left * column * self.weight).sum(axis=1)
         return np.asarray(0.5 * along**2 / (1.0 + power) - 0.5 * np.log1p(power))
+
+    def moments(self, found: Sequence[Hypothesis], course: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Phi' Phi and Phi' z of each block, with what the course says of lags and positions."""
+        phi, z = self.data.phi[NOMINAL].copy(), self.data.z.copy()
+        each = np.repeat(course, BLOCK)
+        for number in np.unique(course):
+            one, rows, i = found[number], each == number, found[number].actuator
+            if i >= 0:
+                phi[rows, :, i] = 0.0 if one.state == "held" else self.data.phi[one.variant][rows, :, i]
+                z[rows] -= one.position * self.data.unit[rows, :, i]
+        weighted = phi * self.weight[:, :, None]
+        information = np.einsum("tri,trj->tij", weighted, phi)
+        towards = np.einsum("tri,tr->ti", weighted, z)
+        shape = (len(course), BLOCK, *information.shape[1:])
+        return information.reshape(shape).sum(axis=1), towards.reshape(shape[:3]).sum(axis=1)
 
 
 def _without_short(course: np.ndarray) -> np.ndarray:
@@ -174,14 +132,17 @@ def _without_short(course: np.ndarray) -> np.ndarray:
     return made
 
 
+def _numbers(found: Sequence[Hypothesis]) -> tuple[np.ndarray, np.ndarray]:
+    """Number of the actuator, -1 for none, and of the state of each hypothesis."""
+    return np.array([one.actuator for one in found]), np.array([STATES.index(one.state) for one in found])
+
+
 def _renamed(
     course: np.ndarray, found: Sequence[Hypothesis], evidence: np.ndarray, probability: np.ndarray
 ) -> np.ndarray:
     """The course with the likeliest state of the actuator in each stretch: a state of many values may share its probability out
     among them, and lose to one value of another."""
-    made = course.copy()
-    actuators = np.array([one.actuator for one in found])
-    kinds = np.array([STATES.index(one.state) for one in found])
+    made, (actuators, kinds) = course.copy(), _numbers(found)
     broken = kinds * len(found) + actuators
     for key in np.unique(broken[course[course > 0]]):
         for first, end in stretches(broken[course] == key):
@@ -197,76 +158,48 @@ def _renamed(
 
 
 def _told(
-    log: FlightLog, setup: Setup, units: Sequence[str], data: Regression, white: _White,
+    log: FlightLog, setup: Setup, white: _White,
     found: Sequence[Hypothesis], course: np.ndarray, probability: np.ndarray, walk: float,
 ) -> Diagnosis:  # fmt: skip
-    blocks, n = len(course), len(setup.actuators)
-    states, sure = np.zeros((blocks, n), dtype=int), np.zeros((blocks, n))
+    (actuators, kinds), n = _numbers(found), len(setup.actuators)
+    states = np.where(actuators[course][:, None] == np.arange(n), kinds[course][:, None], 0)
+    sure = np.zeros(states.shape)
     for i in range(n):
-        for number in np.unique(course):
-            if found[number].actuator == i:
-                states[course == number, i] = STATES.index(found[number].state)
+        here = np.where(actuators == i, kinds, 0)
         for state in np.unique(states[:, i]):
-            here = [one.state if one.actuator == i else "works" for one in found]
-            same = [j for j, name in enumerate(here) if name == STATES[state]]
             rows = states[:, i] == state
-            sure[rows, i] = probability[rows][:, same].sum(axis=1)
-    information, towards = _moments(data, white, found, course)
+            sure[rows, i] = probability[rows][:, here == state].sum(axis=1)
+    information, towards = white.moments(found, course)
     changes = np.diff(states, axis=0, prepend=states[:1]) != 0
     effectiveness, std = smoothed(information, towards, walk * float(np.sqrt(BLOCK * BIN_S)), changes)
     held = states == STATES.index("held")
     effectiveness, std = np.where(held, np.nan, effectiveness), np.where(held, np.nan, std)
-    nominal, _ = _moments(data, white, found, np.zeros_like(course))
+    nominal, _ = white.moments(found, np.zeros_like(course))
     own, inflation = alone(nominal, round(WINDOW_S / (BLOCK * BIN_S)))
-    time_s, names = data.time_s[::BLOCK], tuple(setup.model.actuators)
-    numbers = (states, sure, effectiveness, std)
-    places = np.array([1.0 if unit == "N" else 180.0 / np.pi for unit in units]) * setup.scale
-    findings = tuple(_findings(names, places, time_s, found, course, numbers))
-    return Diagnosis(
-        log, names, tuple(units), time_s, states, sure, effectiveness, std, own, inflation, findings
-    )
+    time_s, names = white.data.time_s[::BLOCK], tuple(setup.model.actuators)
+    units = tuple("deg" if kind == "servo" else "N" for kind in setup.model.kinds)
+    told = Diagnosis(log, names, units, time_s, states, sure, effectiveness, std, own, inflation, ())
+    places = np.array([one.position for one in found])[course]
+    return replace(told, findings=tuple(_findings(told, places, setup.scale)))
 
 
-def _moments(
-    data: Regression, white: _White, found: Sequence[Hypothesis], course: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Phi' Phi and Phi' z of each block, with what the course says of lags and positions."""
-    phi, z = white.phi[NOMINAL].copy(), white.z.copy()
-    each = np.repeat(course, BLOCK)
-    for number in np.unique(course):
-        one, rows = found[number], each == number
-        if one.actuator >= 0:
-            i = one.actuator
-            phi[rows, :, i] = 0.0 if one.state == "held" else white.phi[one.variant][rows, :, i]
-            z[rows] -= one.position * white.unit[rows, :, i]
-    weighted = phi * white.weight[:, :, None]
-    information = np.einsum("tri,trj->tij", weighted, phi)
-    towards = np.einsum("tri,tr->ti", weighted, z)
-    blocks = len(course)
-    shape = (blocks, BLOCK, *information.shape[1:])
-    return information.reshape(shape).sum(axis=1), towards.reshape(shape[:3]).sum(axis=1)
-
-
-def _findings(
-    names: Sequence[str], scale: np.ndarray, time_s: np.ndarray, found: Sequence[Hypothesis], course: np.ndarray,
-    numbers: tuple[np.ndarray, ...],
-) -> Iterator[Finding]:  # fmt: skip
-    """Each stretch in which an actuator did something else than work."""
-    states, sure, effectiveness, std = numbers
-    places = np.array([one.position for one in found])
+def _findings(told: Diagnosis, places: np.ndarray, scale: np.ndarray) -> list[Finding]:
+    """Each stretch in which an actuator did something else than work; `places` [T, scaled] are those of the course."""
     made = []
-    for i, name in enumerate(names):
+    for i, name in enumerate(told.actuators):
+        unit = (180.0 / np.pi if told.units[i] == "deg" else 1.0) * float(scale[i])
         for state in range(1, len(STATES)):
-            for first, end in stretches(states[:, i] == state):
-                has_place = STATES[state] in ("held", "offset")
-                position = (
-                    float(np.median(places[course[first:end]])) * float(scale[i]) if has_place else np.nan
+            for first, end in stretches(told.states[:, i] == state):
+                at, has_place = slice(first, end), STATES[state] in ("held", "offset")
+                finding = Finding(
+                    actuator=name,
+                    state=STATES[state],
+                    from_s=float(told.time_s[first]),
+                    until_s=float(told.time_s[end - 1]) + BLOCK * BIN_S,
+                    probability=float(np.mean(told.probability[at, i])),
+                    effectiveness=float(np.median(told.effectiveness[at, i])),
+                    std=float(np.median(told.std[at, i])),
+                    position=float(np.median(places[at])) * unit if has_place else np.nan,
                 )
-                until_s = float(time_s[end - 1]) + BLOCK * BIN_S
-                known = effectiveness[first:end, i], std[first:end, i]
-                level, spread = (float(np.median(each)) for each in known)
-                mean = float(np.mean(sure[first:end, i]))
-                made.append(
-                    Finding(name, STATES[state], float(time_s[first]), until_s, mean, level, spread, position)
-                )
-    return iter(sorted(made, key=lambda each: each.from_s))
+                made.append(finding)
+    return sorted(made, key=lambda each: each.from_s)

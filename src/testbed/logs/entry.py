@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,24 +15,17 @@ from testbed.controllers.setup import Setup, setup_for
 from testbed.flight.flight import Flight
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
-from testbed.logs import identified_page, identified_words, mapped, own
-from testbed.logs.diagnosis import Diagnosis, diagnosed
+from testbed.logs import identified_report, mapped, own
+from testbed.logs.diagnosis import diagnosed
 from testbed.logs.flight_log import FlightLog, bad
 from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
 from testbed.logs.page import write_page
-from testbed.logs.scene import Scene, of_flight, of_log
-from testbed.logs.words import story, summary, table
+from testbed.logs.scene import of_flight, of_log
+from testbed.logs.words import Diagnosis, summary, table
 from testbed.plant.identification import stored
 from testbed.scenario.load import Scenario
-
-
-class Diagnosed(Diagnosis):
-    """A diagnosis that shows itself: `print` gives the story."""
-
-    def __str__(self) -> str:
-        return "\n".join(story(self))
 
 
 def diagnose(
@@ -41,7 +33,7 @@ def diagnose(
     model: str | Path | None = None,
     columns: str | Path | None = None,
     out: str | Path | None = None,
-) -> Diagnosed:
+) -> Diagnosis:
     """What each actuator did in a flight, from its log: commands and what sensors read, and nothing else.
 
     Args:
@@ -62,10 +54,14 @@ def diagnose(
         refuse_existing(Path(out))
     read, aircraft, flight = _read(path, model, columns)
     setup = _setup(aircraft, read.step_s)
-    found = _diagnosed(read, aircraft, setup)
+    found = diagnosed(read, setup)
     if out is not None:
+        folder = Path(out)
+        refuse_unwritable(folder)
+        write(folder / "diagnosis.csv", table(found), folder)
         scene = of_log(found, aircraft, setup.model) if flight is None else of_flight(found, flight)
-        _write(found, Path(out), aircraft.name, setup, scene)
+        write_page(found, residuals(read, setup), scene, folder)
+        write(folder / "summary.json", summary(found, aircraft.name), folder)
     return found
 
 
@@ -96,17 +92,14 @@ def identify(
     remarks = [_half_logged(log.name, flight.scenario) for log, _, flight in read if flight is not None]
     own = load_aircraft(str(aircraft))
     found = replace(found, makers=makers(own, wrong), remarks=tuple(filter(None, remarks)))
-    if out is not None:
-        _write_identified(found, own.name, [str(log) for log in logs], Path(out))
+    if out is not None and (folder := Path(out)).suffix == ".json":
+        found.model.save(folder)
+    elif out is not None:
+        names = [str(log) for log in logs]
+        found.model.save(folder / DESIGN_MODEL)
+        identified_report.write_page(found, own.name, names, folder)
+        write(folder / "summary.json", identified_report.summary(found, own.name, names), folder)
     return found
-
-
-def _write_identified(found: Identified, model: str, logs: Sequence[str], out: Path) -> None:
-    if out.suffix == ".json":
-        return found.model.save(out)
-    found.model.save(out / DESIGN_MODEL)
-    identified_page.write_page(found, model, logs, out / "report.html", out)
-    write(out / "summary.json", identified_words.summary(found, model, logs), out)
 
 
 def _half_logged(name: str, scenario: Scenario) -> str:
@@ -138,12 +131,6 @@ def _read(
     return mapped.read_table(path, Path(str(columns)), aircraft), aircraft, None
 
 
-def _diagnosed(log: FlightLog, aircraft: Aircraft, setup: Setup) -> Diagnosed:
-    units = ["deg" if a.kind == "servo" else "N" for a in aircraft.actuators.values()]
-    found = diagnosed(log, setup, units)
-    return Diagnosed(**vars(found))
-
-
 def _setup(aircraft: Aircraft, step_s: float) -> Setup:
     """What a controller of the aircraft would know; a log begins where it does, so the trim is the reference one."""
     model = stored(aircraft)
@@ -153,11 +140,3 @@ def _setup(aircraft: Aircraft, step_s: float) -> Setup:
     return setup_for(
         aircraft, model, AdaptiveInversionSettings(), step_s, commands, positions, model.alpha_rad
     )
-
-
-def _write(found: Diagnosis, out: Path, model: str, setup: Setup, scene: Scene) -> None:
-    refuse_unwritable(out)
-    text = json.dumps(summary(found, model), indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    write(out / "diagnosis.csv", table(found), out)
-    write_page(found, residuals(found.log, setup), out / "report.html", out, scene)
-    write(out / "summary.json", text + "\n", out)

@@ -3,18 +3,16 @@ model leaves of the turning rates, and the replay."""
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from testbed.flight.columns import stretches
-from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import MEANINGS, STATES
 from testbed.logs.output_error import STRETCH_S, Residuals
 from testbed.logs.scene import Scene, replay
-from testbed.logs.words import story
+from testbed.logs.words import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding, story
 from testbed.reporting import html
 from testbed.reporting.html import Cell, tag
 from testbed.reporting.palette import PALETTE
@@ -41,8 +39,8 @@ _STROKES = (
 _NO_TRUTH = " The log has no truth: surfaces, discs and thrusts are what the diagnosis believes."
 
 
-def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, scene: Scene) -> Path:
-    """Write the page; returns its file. Raises OSError.
+def write_page(diagnosis: Diagnosis, left: Residuals, scene: Scene, out: Path) -> None:
+    """Write `report.html` into a folder. Raises OSError.
 
     Args:
         left: as `output_error.residuals` gives them.
@@ -54,37 +52,32 @@ def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, 
         "from [s]": lambda f: f.from_s,
         "until [s]": lambda f: f.until_s,
         "probability": lambda f: f.probability,
-        "effectiveness": lambda f: cell(f.effectiveness),
-        "its std": lambda f: cell(f.std),
-        "position": lambda f: cell(f.position),
+        "effectiveness": lambda f: f.effectiveness,
+        "its std": lambda f: f.std,
+        "position": lambda f: f.position,
     }
     meanings = [f"{state}: {MEANINGS[state]}" for state in STATES]
+    name = f"Diagnosis of {diagnosis.log.name}"
     parts = [
-        html.opening(f"Diagnosis of {diagnosis.log.name}", story(diagnosis)),
-        html.picture(picture(diagnosis), _CAPTION),
+        html.opening(name, story(diagnosis)),
+        html.picture(_picture(diagnosis), _CAPTION),
         tag("h2", "Findings"),
         html.listing(diagnosis.findings, columns) if diagnosis.findings else html.note("None."),
         html.folded("What the states mean", html.listed(meanings)),
     ]
-    name = f"Diagnosis of {diagnosis.log.name}"
     if len(left[0]):
         parts += [
             tag("h2", "Residuals"),
             html.picture(residuals_picture(left, diagnosis.log.failures_s), _LEFT),
         ]
-    shown = replay(diagnosis, scene)
-    if shown is None:
-        return html.write_page(file, name, parts, within=within)
-    parts[1:1] = [shown[0], html.note(_STROKES + ("" if diagnosis.log.truth else _NO_TRUTH))]
-    return html.write_page(file, name, parts, "flight.js", shown[1], within)
+    script, data = "", None
+    if shown := replay(diagnosis, scene):
+        parts[1:1] = [shown[0], html.note(_STROKES + ("" if diagnosis.log.truth else _NO_TRUTH))]
+        script, data = "flight.js", shown[1]
+    html.write_page(out / "report.html", name, parts, script, data, out)
 
 
-def cell(value: float) -> float | None:
-    """A number of a table; None where it is none."""
-    return value if math.isfinite(value) else None
-
-
-def picture(diagnosis: Diagnosis) -> bytes:
+def _picture(diagnosis: Diagnosis) -> bytes:
     """PNG with a panel for each actuator."""
     from matplotlib.figure import Figure
 

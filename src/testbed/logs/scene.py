@@ -15,9 +15,8 @@ from testbed.aircraft.shape import Shape
 from testbed.common.signals import STATE, Belief
 from testbed.flight.columns import stretches
 from testbed.flight.flight import Flight
-from testbed.logs.diagnosis import Diagnosis
 from testbed.logs.hypotheses import STATES
-from testbed.logs.words import sentence
+from testbed.logs.words import Diagnosis, sentence
 from testbed.reporting.html import Html
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.drawn import can_be_replayed
