@@ -11,7 +11,8 @@ import numpy as np
 
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup
-from testbed.gains.error_flights import Answer, answers, bias, calm, gusts, or_infinite
+from testbed.flight.flight import Flight
+from testbed.gains.error_flights import answer, bias, calm, gusts, or_infinite
 from testbed.gains.errors import ErrorSource, sources
 from testbed.gains.false_alarms import false_alarm_rate
 from testbed.gains.loss_flights import convergence_s
@@ -124,9 +125,10 @@ class Candidates:
         return np.array(["servo" if kind == "servo" else "motor" for kind in self.setup.model.kinds])
 
     @property
-    def names(self) -> list[str]:
-        """[sources] every error in words."""
-        return [*(source.name for source in self.sources), *([GUSTS] if self._gusty else [])]
+    def errors(self) -> list[tuple[str, bool]]:
+        """[sources] every error in words, and whether it lasts."""
+        weather = [(GUSTS, False)] if self._gusty else []
+        return [(source.name, source.lasts) for source in self.sources] + weather
 
     @property
     def gains(self) -> np.ndarray:
@@ -163,26 +165,25 @@ class Candidates:
         changes = self._changes(gain)
         still = calm(self.scenario, changes)
         flown = fly(still)
-        channels = dict.fromkeys(source.channel for source in self.sources)
-        found = answers(still, flown, self.setup, channels)
-        parts, intensity = self._parts(found)
+        parts, intensity = self._parts(still, flown)
         if self._gusty:
             deviation, of_gusts = gusts(self.scenario, still, self.setup)
             parts, intensity = np.vstack([parts, deviation]), intensity + of_gusts
-        lasts = np.array(
-            [*(source.lasts for source in self.sources), *([False] if self._gusty else [])], bool
-        )
+        lasts = np.array([lasts for _, lasts in self.errors], bool)
         noise, offset = (np.sqrt(np.square(parts[of]).sum(axis=0)) for of in (~lasts, lasts))
         rates = self._rates(gain, still, changes)
         return Candidate(gain, parts, noise, offset, bias(flown, self.setup), rates, intensity)
 
-    def _parts(self, found: Mapping[str, Answer]) -> tuple[np.ndarray, np.ndarray]:
+    def _parts(self, still: Scenario, flown: Flight) -> tuple[np.ndarray, np.ndarray]:
         """[sources, n] deviation by each error of a sensor, infinite if a flight is lost, and [4] their intensity together."""
-        dt_s, n = self.setup.dt_s, len(self.setup.actuators)
-        each = [source.deviation(found[source.channel.name].estimates, dt_s) for source in self.sources]
-        intensity = [source.intensity(dt_s) * found[source.channel.name].e ** 2 for source in self.sources]
-        parts = np.array(each).reshape(-1, n)
-        return or_infinite(parts), or_infinite(np.sum([np.zeros(4), *intensity], axis=0))
+        channels = dict.fromkeys(source.channel for source in self.sources)
+        answers = {channel: answer(still, flown, self.setup, channel) for channel in channels}
+        parts, intensity = np.zeros((len(self.sources), len(self.setup.actuators))), np.zeros(4)
+        for i, source in enumerate(self.sources):
+            of_estimates, of_e = answers[source.channel]
+            parts[i] = source.deviation(of_estimates, self.setup.dt_s)
+            intensity += source.intensity(self.setup.dt_s) * of_e**2
+        return or_infinite(parts), or_infinite(intensity)
 
     def _rates(self, gain: float, still: Scenario, changes: Mapping[str, Any]) -> np.ndarray:
         """[n] at which an error decays [1/s]: gamma by (22), or of the default law as flown."""

@@ -144,5 +144,7 @@ def _actuator(i: int, candidates: Candidates, chosen: Chosen, settings: Mapping[
         soonest_s=min(flagged),
         latest_s=max(flagged),
         met=bool(chosen.met[i]),
-        shares=tuple((candidates.names[k], float(parts[k])) for k in np.argsort(-parts) if parts[k] > _NONE),
+        shares=tuple(
+            (candidates.errors[k][0], float(parts[k])) for k in np.argsort(-parts) if parts[k] > _NONE
+        ),
     )

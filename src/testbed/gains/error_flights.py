@@ -10,8 +10,7 @@ Gusts move the actuators, and each movement tells the estimators more than a ste
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -34,19 +33,6 @@ _BLOCK_S = 5.0  # over which e is averaged for its intensity at low frequency
 _STATES = ("airspeed", "alpha", "beta", "roll", "pitch", "p", "q", "r")
 
 
-@dataclass(frozen=True)
-class Answer:
-    """What one unit of an error of a channel does [per SI unit].
-
-    Attributes:
-        estimates: [steps, n] change of the estimates in the steps after it has been there for one step.
-        e: [4] change of the measured error (10), if it stays.
-    """
-
-    estimates: np.ndarray
-    e: np.ndarray
-
-
 def calm(scenario: Scenario, controller: Mapping[str, Any]) -> Scenario:
     """The level flight of a scenario without chance: no weather, no random error; its estimates are not acted upon.
 
@@ -66,18 +52,22 @@ def bias(flown: Flight, setup: Setup) -> np.ndarray:
     return np.where(np.isnan(found), -np.inf, found)
 
 
-def answers(still: Scenario, flown: Flight, setup: Setup, channels: Iterable[Channel]) -> dict[str, Answer]:
-    """The answer to each of these channels, by its name; `flown` is the calm flight `still` itself. NaN if a flight is lost."""
-    return {channel.name: _answer(still, flown, setup, channel) for channel in channels}
+def answer(still: Scenario, flown: Flight, setup: Setup, channel: Channel) -> tuple[np.ndarray, np.ndarray]:
+    """What one unit of an error of a channel does [per SI unit]; NaN if the flight is lost.
 
+    Args:
+        flown: the calm flight `still` itself.
 
-def _answer(still: Scenario, flown: Flight, setup: Setup, channel: Channel) -> Answer:
+    Returns:
+        [steps, n] change of the estimates in the steps after it has been there for one step, and [4] change of the measured error
+        (10), if it stays.
+    """
     stepped = fly(with_error(still, channel, _STEP, _STEP_AT_S))
     size, first = _STEP * SI[channel.unit], round(_STEP_AT_S * still.rate_hz)
     change = (estimates(stepped, setup) - estimates(flown, setup))[first - 1 :]
     e = measured_error(stepped, setup)
     prompt = first + round(_PROMPT_S * still.rate_hz)
-    return Answer(np.diff(change, axis=0) / size, (e[prompt] - e[first - 1]) / size)
+    return np.diff(change, axis=0) / size, (e[prompt] - e[first - 1]) / size
 
 
 def gusts(scenario: Scenario, still: Scenario, setup: Setup) -> tuple[np.ndarray, np.ndarray]:
@@ -120,12 +110,11 @@ def _whole(flight: Flight, found: np.ndarray) -> np.ndarray:
 def measured_error(flight: Flight, setup: Setup) -> np.ndarray:
     """[steps, 4] e (10) of healthy actuators: measured rates less those of the design model at the measured state."""
     log = flight.log
-    units = {channel.reads: channel for channel in CHANNELS}
     x = {}
-    for name in _STATES:
-        unit = units[name].unit
-        column = log.get(f"{name}_measured_{unit}", log[f"{name}_{unit}"])
-        x[name] = column.to_numpy() * SI[units[name].unit]
+    for _, _, name, unit in CHANNELS:
+        if name in _STATES:
+            column = log.get(f"{name}_measured_{unit}", log[f"{name}_{unit}"])
+            x[name] = column.to_numpy() * SI[unit]
     rates = [log[f"{rate}_m_s2"] if rate == "u_dot" else np.radians(log[f"{rate}_deg_s2"]) for rate in RATES]
     kinds = zip(setup.model.actuators, setup.model.kinds, strict=True)
     positions = [

@@ -91,16 +91,10 @@ def _of(channel: Channel, scenario: Scenario, state: Mapping[str, float]) -> Ite
 
 def without_chance(scenario: Scenario) -> Scenario:
     """The scenario whose sensors have their known errors alone, and no faults; its weather stays."""
-    known = {
-        sensor: {name: 0.0 if _by_chance(name) else value for name, value in model.items()}
-        for sensor, model in _blocks(scenario).items()
-        if sensor in SENSORS
-    }
+    known = {sensor: model for sensor, model in _blocks(scenario).items() if sensor in SENSORS}
+    for model in known.values():
+        model |= {name: 0.0 for name in model if name.startswith(_CHANCE) and name != "wander_time_s"}
     return changed(scenario, {"sensors": known})
-
-
-def _by_chance(name: str) -> bool:
-    return name.startswith(_CHANCE) and name != "wander_time_s"
 
 
 def with_error(scenario: Scenario, channel: Channel, size: float, at_s: float) -> Scenario:

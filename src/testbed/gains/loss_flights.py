@@ -31,13 +31,22 @@ def detection_s(scenario: Scenario, controller: Mapping[str, Any], actuator: str
     Args:
         controller: changed settings of the scenario's `controller`.
     """
-    return [_detection_s(flight, actuator) for flight in _flights(scenario, controller, actuator, 0.0)]
+    found = []
+    for flight in _flights(scenario, controller, actuator, 0.0):
+        flags = [e for e in flight.events if e["kind"] == "detection" and e["actuator"] == actuator]
+        found.append(float(flags[0]["delay_s"]) if flags else math.inf)
+    return found
 
 
 def convergence_s(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> float:
     """Three times the time in which 63 % of a loss of half are found: median of flights as in `detection_s`, infinite for never."""
-    halves = _flights(scenario, controller, actuator, _HALF)
-    return float(np.median([_convergence_s(flight, actuator) for flight in halves]))
+    times = []
+    for flight in _flights(scenario, controller, actuator, _HALF):
+        log = flight.log
+        after = log.loc[log.time_s >= _LOST_AT_S, f"{actuator}_effectiveness_estimate"].to_numpy()
+        found = after <= 1.0 - _HALF * _FOUND
+        times.append(3.0 * float(np.argmax(found) + 1) / scenario.rate_hz if found.any() else math.inf)
+    return float(np.median(times))
 
 
 def level_flight(scenario: Scenario) -> dict[str, Any]:
@@ -70,19 +79,3 @@ def _flights(
 def _errs(scenario: Scenario) -> bool:
     """Whether two seeds may differ."""
     return bool(scenario.atmosphere.most_w20_m_s) or scenario.sensors != without_chance(scenario).sensors
-
-
-def _detection_s(flight: Flight, actuator: str) -> float:
-    """Infinite if it is not flagged."""
-    flags = [
-        event for event in flight.events if event["kind"] == "detection" and event["actuator"] == actuator
-    ]
-    return float(flags[0]["delay_s"]) if flags else math.inf
-
-
-def _convergence_s(flight: Flight, actuator: str) -> float:
-    """Infinite if they are not found."""
-    log = flight.log
-    after = log.loc[log.time_s >= _LOST_AT_S, f"{actuator}_effectiveness_estimate"].to_numpy()
-    found = after <= 1.0 - _HALF * _FOUND
-    return 3.0 * float(np.argmax(found) + 1) / flight.scenario.rate_hz if found.any() else math.inf

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
+
+import pandas as pd
 
 from testbed.common.files import plain
 from testbed.common.signals import RATES
@@ -26,12 +26,11 @@ def as_json(certificate: Certificate) -> str:
 
 def as_csv(certificate: Certificate) -> str:
     """All numbers, one a row."""
-    lines = io.StringIO()
-    writer = csv.writer(lines, lineterminator="\n")
-    writer.writerow(("of", "at", "quantity", "unit", "value"))
-    for of, at, quantity, unit, value in _rows(certificate):
-        writer.writerow((cell(of), cell(at), quantity, unit, repr(float(value))))
-    return lines.getvalue()
+    table = pd.DataFrame(_rows(certificate), columns=["of", "at", "quantity", "unit", "value"])
+    table = table.assign(
+        of=table["of"].map(cell), at=table["at"].map(cell), value=table["value"].astype(float)
+    )
+    return str(table.to_csv(index=False, lineterminator="\n", na_rep="nan"))
 
 
 FORMATS: dict[str, Callable[[Certificate], str]] = {".csv": as_csv, ".json": as_json}
@@ -70,15 +69,13 @@ def text(c: Certificate) -> str:
         *_conditions(c),
         "",
         *_biases(c),
-    ]
-    parts += [
         "",
         "These bound the estimates, not the motion: fly with controller.model_error to see what the outer loops bear.",
     ]
     if not c.exact_law:
-        parts += [
-            "The scenario's estimation is not (13). Of the above, what is said of inversions holds, and the bias once e is 0.",
-        ]
+        parts.append(
+            "The scenario's estimation is not (13). Of the above, what is said of inversions holds, and the bias once e is 0."
+        )
     return "\n".join(parts)
 
 

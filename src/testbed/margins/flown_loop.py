@@ -18,7 +18,6 @@ from scipy.signal import cont2discrete
 
 from testbed.aircraft.changes import load_with_changes
 from testbed.common.signals import RATES, SETPOINT, STATE, as_records, telemetry_rows
-from testbed.controllers import Controller
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup
@@ -96,14 +95,6 @@ def _refuse_other(scenario: Scenario, actuator: str) -> None:
         )
 
 
-def _believing(scenario: Scenario) -> Scenario:
-    """The scenario without the guard of stuck sensors: where one value moves at a time, the others seem to be stuck."""
-    chosen = scenario.controller
-    if not isinstance(chosen, AdaptiveInversionSettings):
-        return scenario
-    return changed(scenario, {"controller.ablate": sorted({*chosen.ablate, "sensor_guard"})})
-
-
 def _flown(
     scenario: Scenario, actuator: str, hz: float, controller: Callable[[Setup], Any] | None
 ) -> complex:
@@ -151,7 +142,9 @@ def loop_by_linearisation(
     _refuse_other(scenario, actuator)
     at = {"airspeed_m_s": scenario.initial.airspeed_m_s, "altitude_m": scenario.initial.altitude_m}
     model = linearise(load_with_changes(scenario.aircraft), at)
-    scenario = _believing(scenario)
+    if isinstance(law := scenario.controller, AdaptiveInversionSettings):
+        # where one value moves at a time, the guard of stuck sensors takes the others for stuck
+        scenario = changed(scenario, {"controller.ablate": sorted({*law.ablate, "sensor_guard"})})
     i = list(model.inputs).index(actuator)
     others = [k for k in range(len(model.inputs)) if k != i]
     gains = []
@@ -195,18 +188,12 @@ def _controller_response(
     for name in STATE:
         states = np.tile([start.state.get(each, 0.0) for each in STATE], (steps, 1))
         states[:, STATE.index(name)] += _SIZE * np.sin(2.0 * math.pi * hz * time)
-        commands = _commands(make_controller(setup, controller), states, setpoints, len(setup.actuators))
+        made, telemetry = make_controller(setup, controller), telemetry_rows(steps, len(setup.actuators))
+        made.bind(as_records(states, STATE), as_records(setpoints, SETPOINT), telemetry)
+        commands = np.array([list(made.step(k)) for k in range(steps)])  # for states that do not follow them
         if np.abs(commands[rows] - commands[0]).max() > _ASTRAY:
             what = f"the commands of {scenario.controller.type} run away where nothing follows them"
             raise BadInput([Problem(what, "controller", expected="loop_by_injection, which flies it")])
         lines = [_line(time[rows], commands[rows, k], hz) for k in range(commands.shape[1])]
         columns.append(np.array(lines) / (-1j * _SIZE))
     return np.column_stack(columns)
-
-
-def _commands(controller: Controller, states: np.ndarray, setpoints: np.ndarray, n: int) -> np.ndarray:
-    """[steps, n] commands for states that do not follow them."""
-    controller.bind(
-        as_records(states, STATE), as_records(setpoints, SETPOINT), telemetry_rows(len(states), n)
-    )
-    return np.array([list(controller.step(k)) for k in range(len(states))])
