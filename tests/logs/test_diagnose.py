@@ -17,11 +17,10 @@ from command_line import in_this_process
 
 import testbed
 from testbed.aircraft.description import load_aircraft
-from testbed.logs import own
-from testbed.logs.entry import _setup
+from testbed.logs.chain import alone
+from testbed.logs.entry import _setup, read_run
 from testbed.logs.output_error import residuals
 from testbed.logs.scene import believed, of_flight, phases
-from testbed.logs.smoothing import alone
 
 from .conftest import AT_S, Run
 
@@ -107,10 +106,10 @@ def test_the_command_writes_a_folder(run: Run, tmp_path: Path) -> None:
 
 def test_residuals_grow_where_an_actuator_fails(run: Run) -> None:
     """What the model of a healthy aircraft leaves of the pitch rate: twice as large after a tail has lost 70 %."""
-    log, _ = own.read(run(BROKEN["weak"][0], True))
-    time_s, measured, left = residuals(log, _setup(load_aircraft("vtail"), log.step_s))
-    healthy, _ = own.read(run(None, True))
-    _, _, usual = residuals(healthy, _setup(load_aircraft("vtail"), healthy.step_s))
+    log, _ = read_run(run(BROKEN["weak"][0], True))
+    time_s, measured, left = residuals(log, _setup(load_aircraft("vtail")))
+    healthy, _ = read_run(run(None, True))
+    _, _, usual = residuals(healthy, _setup(load_aircraft("vtail")))
     broken = time_s[:, 0] > AT_S
     assert np.std(left[broken, :, 1]) > 2.0 * np.std(usual[broken, :, 1])
     assert np.std(usual[..., 1]) < np.std(measured[..., 1])
@@ -128,7 +127,7 @@ def test_the_page_replays_a_run_as_it_was_diagnosed(run: Run, tmp_path: Path) ->
     """Beliefs, phases and strokes are those of the diagnosis, whatever the controller believed and gave up."""
     found = testbed.diagnose(run(BROKEN["weak"][0], True), out=tmp_path / "out")
     (finding,) = found.findings
-    _, flight = own.read(run(BROKEN["weak"][0], True))
+    _, flight = read_run(run(BROKEN["weak"][0], True))
     scene = of_flight(found, flight)
     column = scene.log[f"{LEFT}_effectiveness_estimate"]
     assert column[-1] == found.effectiveness[-1, 0] and len(column) == len(flight.signals["time_s"])

@@ -18,9 +18,8 @@ from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import load_design_model
 from testbed.common.signals import STATE
 from testbed.inputs.yaml_source import dump
-from testbed.logs import own
 from testbed.logs.coefficients import Row, without_white_noise
-from testbed.logs.entry import _setup, identify
+from testbed.logs.entry import _setup, identify, read_run
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import BIN_S, simulated
 
@@ -30,9 +29,9 @@ WRONG = {"Cm_alpha": 1.4, "Cm_left_ruddervator": 1.3}
 
 
 def _found(folder: Path, wrong: dict[str, float]) -> Identified:
-    log, _ = own.read(folder)
-    setup = _setup(load_aircraft("vtail"), log.step_s)
-    return identified([log], [dataclasses.replace(setup, model=setup.model.with_error(wrong))])
+    log, _ = read_run(folder)
+    setup = _setup(load_aircraft("vtail"))
+    return identified([log], dataclasses.replace(setup, model=setup.model.with_error(wrong)))
 
 
 def test_coefficients_that_are_wrong_are_found(run: Run) -> None:
@@ -98,12 +97,12 @@ def test_a_tail_that_is_wrong_is_told_with_mems_sensors(every_command: Path) -> 
     assert each.contradicted
     assert each.value == pytest.approx(1.0 / 1.3, rel=0.15) == each.simulated
     assert {each.name for each in factors.values() if each.contradicted} == set(wrong)
-    log, _ = own.read(every_command)
+    log, _ = read_run(every_command)
     held = log.commands.copy()
     held[1::2] = held[: len(held) - 1 : 2]
-    setup = _setup(load_aircraft("vtail"), log.step_s)
+    setup = _setup(load_aircraft("vtail"))
     half = dataclasses.replace(setup, model=setup.model.with_error(wrong))
-    found = identified([dataclasses.replace(log, commands=held)], [half])
+    found = identified([dataclasses.replace(log, commands=held)], half)
     (each,) = (each for each in found.factors if each.name in wrong)
     assert not each.contradicted and each.value < 0.5
 
@@ -199,7 +198,7 @@ def test_the_summary_and_the_page_say_what_was_found(run: Run, tmp_path: Path) -
         assert one.fit == pytest.approx(1.0 - left / spread)
         assert one.coloured == np.mean(np.abs(one.correlations) > one.white)
     time_s, measured, error = found.output.kept
-    log, _ = own.read(run())
+    log, _ = read_run(run())
     rows = np.round(time_s / log.step_s).astype(int)
     q = log.states[:, STATE.index("q")]
     np.testing.assert_allclose(measured[..., 1], 0.5 * (q[rows] + q[rows + 1]), atol=1e-9)

@@ -85,7 +85,7 @@ def test_a_files_page_replays_where_it_flew(tmp_path: Path, run: Run, log: Path)
     flown = load(run(WEAK, True)).log
     aircraft = load_aircraft("vtail")
     read = read_table(log, MAPPING, aircraft)
-    found = diagnosed(read, _setup(aircraft, read.step_s))
+    found = diagnosed(read, _setup(aircraft))
     scene = of_log(found, aircraft, stored(aircraft))
     for name in ("north_m", "east_m", "altitude_m", "left_ruddervator_command", "right_propeller_position"):
         there = flown[name.replace("_position", "_command")]

@@ -1,6 +1,6 @@
 """Real flights and our own, from their logs: which actuator failed, when, and how much.
 
-`own` and `mapped` read a log into a `flight_log.FlightLog`. `regression` runs the law's (10) over it, `noise` makes its
-errors white, `hypotheses` says what each actuator may have done, `chain` finds the likeliest course of these, and `smoothing` the
-effectiveness with its uncertainty. `diagnosis` is all of it, `page` and `scene` what is shown of it, and `entry` what users call.
+`entry` and `mapped` read a log into a `flight_log.FlightLog`. `regression` runs the law's (10) over it, `noise` makes its errors
+white, `hypotheses` says what each actuator may have done, and `chain` finds the likeliest course of these and effectiveness with
+its uncertainty. `diagnosis` is all of it, `page` and `scene` what is shown of it, and `entry` what users call.
 """

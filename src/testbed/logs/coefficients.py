@@ -61,13 +61,12 @@ class Rows:
     known: np.ndarray
 
 
-def rows_of(logs: Sequence[FlightLog], setups: Sequence[Setup], bin_s: float) -> Rows:
+def rows_of(logs: Sequence[FlightLog], setup: Setup, bin_s: float) -> Rows:
     """The rows of logs, averaged over bins of this length."""
-    each = [_of_log(log, setup, bin_s) for log, setup in zip(logs, setups, strict=True)]
+    each = [_of_log(log, setup, bin_s) for log in logs]
     time_s, turning, speed, known, left, columns, measured = map(np.concatenate, zip(*each, strict=True))
     number = np.repeat(np.arange(len(each)), [len(part[0]) for part in each])
-    model = setups[0].model
-    rates = [_row(model, i, left[:, i], columns[:, i], measured[:, i]) for i in range(len(RATES))]
+    rates = [_row(setup.model, i, left[:, i], columns[:, i], measured[:, i]) for i in range(len(RATES))]
     return Rows(rates, number, time_s, turning, speed, known)
 
 

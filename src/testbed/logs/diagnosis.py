@@ -11,12 +11,11 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record
 from testbed.controllers.setup import Setup
 from testbed.flight.columns import stretches
-from testbed.logs.chain import costs, likeliest, probabilities
+from testbed.logs.chain import alone, costs, likeliest, probabilities, smoothed
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.hypotheses import NOMINAL, STATES, Hypothesis, hypotheses
 from testbed.logs.noise import Noise, noise_of, quiet, settled
 from testbed.logs.regression import BIN_S, Regression, regression
-from testbed.logs.smoothing import alone, smoothed
 from testbed.logs.words import WINDOW_S, Diagnosis, Finding
 
 BLOCK = 2

@@ -7,17 +7,20 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
 from testbed.common.writing import write
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup, setup_for
+from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.flight.folder import refuse_existing, refuse_unwritable
+from testbed.flight.folder import load, refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
-from testbed.logs import identified_report, mapped, own
+from testbed.logs import identified_report, mapped
 from testbed.logs.diagnosis import diagnosed
-from testbed.logs.flight_log import FlightLog, bad
+from testbed.logs.flight_log import FlightLog, bad, even
 from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
@@ -25,7 +28,11 @@ from testbed.logs.page import write_page
 from testbed.logs.scene import of_flight, of_log
 from testbed.logs.words import Diagnosis, summary, table
 from testbed.plant.identification import stored
+from testbed.reporting.panels import response_of, shown_log
 from testbed.scenario.load import Scenario
+from testbed.sensors.channels import CHANNELS, SI
+
+_READ = ("airspeed", "p", "q", "r", "roll", "pitch", "alpha", "beta")
 
 
 def diagnose(
@@ -53,7 +60,7 @@ def diagnose(
     if out is not None:
         refuse_existing(Path(out))
     read, aircraft, flight = _read(path, model, columns)
-    setup = _setup(aircraft, read.step_s)
+    setup = _setup(aircraft)
     found = diagnosed(read, setup)
     if out is not None:
         folder = Path(out)
@@ -87,10 +94,10 @@ def identify(
         refuse_existing(Path(out))
         refuse_unwritable(Path(out))
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
-    found = identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
+    own = load_aircraft(str(aircraft))
+    found = identified([log for log, _, _ in read], _setup(own))
     wrong = [factor.name for factor in found.factors if factor.contradicted]
     remarks = [_half_logged(log.name, flight.scenario) for log, _, flight in read if flight is not None]
-    own = load_aircraft(str(aircraft))
     found = replace(found, makers=makers(own, wrong), remarks=tuple(filter(None, remarks)))
     if out is not None and (folder := Path(out)).suffix == ".json":
         found.model.save(folder)
@@ -116,7 +123,7 @@ def _read(
     if path.is_dir():
         if columns is not None:
             raise bad("is for a file, and the log is a run folder", "--columns")
-        read, flight = own.read(path)
+        read, flight = read_run(path)
         aircraft = load_aircraft(str(model or flight.scenario.aircraft))
         if tuple(aircraft.actuators) != tuple(flight.actuators):
             raise bad(f"has other actuators than {aircraft.name}", path)
@@ -131,12 +138,38 @@ def _read(
     return mapped.read_table(path, Path(str(columns)), aircraft), aircraft, None
 
 
-def _setup(aircraft: Aircraft, step_s: float) -> Setup:
+def read_run(folder: Path) -> tuple[FlightLog, Flight]:
+    """The log of a run folder, and its flight. Raises BadInput when it is none, or nothing was commanded."""
+    flight = load(folder)
+    log = flight.signals
+    signals = {name: _reading(flight, name) for name in _READ}
+    if np.any(np.isfinite(log["u_dot_m_s2"])):
+        signals["u_dot"] = log["u_dot_m_s2"]
+    commands = {}
+    for name, facts in flight.actuators.items():
+        commands[name] = log[f"{name}_command"] * (math.radians(1.0) if facts["kind"] == "servo" else 1.0)
+        if not np.any(np.isfinite(commands[name])):
+            raise bad("has no numbers: the controller logs no commands", folder, f"{name}_command")
+    made = even(str(folder), log["time_s"], signals, commands, np.ones(len(commands), dtype=bool))
+    true = shown_log(flight)
+    there = [name for name in flight.actuators if response_of(name) in true]
+    truth = {name: np.interp(made.time_s, log["time_s"], true[response_of(name)]) for name in there}
+    return replace(made, truth=truth, failures_s=tuple(failure_times_s(flight.events))), flight
+
+
+def _reading(flight: Flight, name: str) -> np.ndarray:
+    """What the sensor read [SI]: with ideal sensors, the truth."""
+    unit = next(channel.unit for channel in CHANNELS if channel.reads == name)
+    measured = f"{name}_measured_{unit}"
+    column = measured if measured in flight.columns else f"{name}_{unit}"
+    return flight.signals[column] * SI[unit]
+
+
+def _setup(aircraft: Aircraft) -> Setup:
     """What a controller of the aircraft would know; a log begins where it does, so the trim is the reference one."""
     model = stored(aircraft)
-    kinds = [a.kind for a in aircraft.actuators.values()]
-    commands = [p if k == "servo" else 0.5 for p, k in zip(model.trim, kinds, strict=True)]
-    positions = [math.degrees(p) if k == "servo" else p for p, k in zip(model.trim, kinds, strict=True)]
-    return setup_for(
-        aircraft, model, AdaptiveInversionSettings(), step_s, commands, positions, model.alpha_rad
-    )
+    trim = list(zip(model.trim, model.kinds, strict=True))
+    commands = [p if kind == "servo" else 0.5 for p, kind in trim]
+    positions = [math.degrees(p) if kind == "servo" else p for p, kind in trim]
+    settings, no_step = AdaptiveInversionSettings(), math.nan
+    return setup_for(aircraft, model, settings, no_step, commands, positions, model.alpha_rad)

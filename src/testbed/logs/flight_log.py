@@ -180,7 +180,7 @@ def _impossible(
         what, path = f"is never above {_FLIES_M_S:g} m/s", column_of("airspeed")
         found.append(Problem(what, name, path=path, expected="an aircraft that flies; is its sign right?"))
     for rate, angle in (("p", "roll"), ("q", "pitch")):
-        if not found and rate in signals and angle in signals and len(time_s) > 100:
+        if not found and len(time_s) > 100:
             ratio = _ratio(time_s, signals[rate], signals[angle])
             if ratio > 10.0 or ratio < 0.1:
                 what, about = (
@@ -256,13 +256,9 @@ def _onto(
 
 
 def _states(columns: Mapping[str, np.ndarray], step_s: float) -> np.ndarray:
-    rows = np.full((len(next(iter(columns.values()))), len(STATE)), np.nan)
-    for signal, values in columns.items():
-        if signal in STATE:
-            rows[:, STATE.index(signal)] = values
-    for rate in "pqr":
-        rows[:, STATE.index(f"{rate}_dot")] = np.gradient(columns[rate], step_s)
-    return rows
+    found = {**columns, **{f"{rate}_dot": np.gradient(columns[rate], step_s) for rate in "pqr"}}
+    missing = np.full(len(columns["p"]), np.nan)
+    return np.stack([found.get(signal, missing) for signal in STATE], axis=1)
 
 
 def bad(what: str, log: object, path: str = "", expected: str = "") -> BadInput:

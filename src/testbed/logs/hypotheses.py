@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-STATES = ("works", "weak", "lost", "held", "offset", "reversed", "slow", "late", "swings")
-"""What is said of an actuator."""
 MEANINGS = {
     "works": "it does what it is commanded",
     "weak": "it does a part of it",
@@ -20,6 +18,8 @@ MEANINGS = {
     "late": "it follows with a delay",
     "swings": "it moves by itself",
 }
+STATES = tuple(MEANINGS)
+"""What is said of an actuator."""
 
 
 class Variant(NamedTuple):

@@ -127,10 +127,10 @@ class Identified:
     remarks: tuple[str, ...] = ()
 
 
-def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:
-    """The design model that logs of healthy flight give, from that of their `setups`, whose trim and condition it keeps."""
+def identified(logs: Sequence[FlightLog], setup: Setup) -> Identified:
+    """The design model that logs of healthy flight give, from that of `setup`, whose trim and condition it keeps."""
     logs = [smoothed_vanes(log) for log in logs]
-    rows, setup = rows_of(logs, setups, BIN_S), setups[0]
+    rows = rows_of(logs, setup, BIN_S)
     used = rows.known & np.concatenate([np.arange(n) < (1.0 - KEPT_BACK) * n for n in np.bincount(rows.log)])
     c = settings_record(setup, AdaptiveInversionSettings())[0]
     fits = {
@@ -143,7 +143,7 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
     free = {
         name: bool(x) for i in (0, 1, 2) for name, x in zip(rows.rates[i].names, fits[i].known, strict=True)
     }
-    output = output_error.identified(logs, setups, free, KEPT_BACK)
+    output = output_error.identified(logs, setup, free, KEPT_BACK)
     factors: list[Factor] = []
     validation: list[Validation] = []
     bias = np.array(setup.model.bias)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.common.units import GRAVITY_M_S2, METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import Number, Settings, Text, refuse
 from testbed.inputs.input_file import MEGABYTE, read_bytes
-from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.problems import BadInput, Issue, Problem, guess, unknown
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
 from testbed.logs import dataflash, ulog
@@ -53,7 +53,7 @@ _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "de
           "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
 _BEYOND = 3.0
 """Times a surface's limits: angles that are beyond for most of the time are no commands of it."""
-_ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
+_ANGLES, _ENGINE = ("rad", "deg"), ("throttle", "percent", "N")
 
 
 class Column(Settings):
@@ -86,89 +86,74 @@ class ColumnMap(Settings):
     actuators: dict[Text, Column] = Field(min_length=1)
     """What each actuator of the aircraft was commanded."""
 
+    @property
+    def columns(self) -> dict[tuple[str, ...], Column]:
+        """Each column by its keys."""
+        found: dict[tuple[str, ...], Column] = {("time",): self.time}
+        found |= {("signals", name): column for name, column in self.signals.items()}
+        return found | {("actuators", name): column for name, column in self.actuators.items()}
 
-def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
-    """A mapping file for an aircraft; raises BadInput with every problem in it."""
-    source = read(file)
-    mapping = validated(ColumnMap, source)
-    problems = []
+
+def _wrong(mapping: ColumnMap, aircraft: Aircraft) -> Iterator[Issue]:
     for name in sorted(set(aircraft.actuators) - set(mapping.actuators)):
-        problems.append(source.problem(("actuators",), f"has no {name}, an actuator of {aircraft.name}"))
+        yield Issue(("actuators",), f"has no {name}, an actuator of {aircraft.name}")
     for name in mapping.actuators:
-        if name not in aircraft.actuators:
-            problems.append(
-                source.problem(
-                    ("actuators", name),
-                    f"is no actuator of {aircraft.name}",
-                    *guess(name, aircraft.actuators),
-                )
-            )
+        if name not in (own := aircraft.actuators):
+            yield unknown(("actuators", name), f"is no actuator of {aircraft.name}", name, own)
     for name in mapping.signals:
         if name not in (known := (*NEEDED, *OPTIONAL, *PLACE, *GLOBE)):
-            what = f"is no signal that is used: {shown(name)}"
-            problems.append(source.problem(("signals", name), what, *guess(name, known)))
+            yield unknown(("signals", name), f"is no signal that is used: {shown(name)}", name, known)
     needed = (*PLACE[2:], *GLOBE) if set(GLOBE) & set(mapping.signals) else PLACE
     lacks = sorted(set(needed) - set(mapping.signals))
     if lacks and {*PLACE, *GLOBE} & set(mapping.signals):
         what = f"has no {' and no '.join(lacks)}, without which there is no replay"
-        problems.append(
-            source.problem(
-                ("signals",), what, f"none of {', '.join((*PLACE, *GLOBE))}, or all that are needed"
-            )
-        )
+        yield Issue(("signals",), what, f"none of {', '.join((*PLACE, *GLOBE))}, or all that are needed")
     taken: dict[str, tuple[str, ...]] = {}
-    for path, column, units in _with_units(mapping, aircraft):
-        if column.unit not in units:
-            problems.append(
-                source.problem((*path, "unit"), f"is {column.unit}", f"one of {', '.join(units)}")
-            )
+    for path, column in mapping.columns.items():
+        if column.unit not in (units := _units(path, aircraft)):
+            yield Issue((*path, "unit"), f"is {column.unit}", f"one of {', '.join(units)}")
         first = taken.setdefault(column.column, path)
         if first != path and "actuators" not in (first[0], path[0]):  # one output may move two surfaces
             what = f"is {shown(column.column)}, as {'.'.join(first)} is"
-            problems.append(source.problem((*path, "column"), what, "a column of its own"))
-    if problems:
-        raise BadInput(problems)
-    return source, mapping
+            yield Issue((*path, "column"), what, "a column of its own")
 
 
-def _with_units(
-    mapping: ColumnMap, aircraft: Aircraft
-) -> list[tuple[tuple[str, ...], Column, tuple[str, ...]]]:
-    """(path, column, units that fit) of each column."""
-    kinds = {name: _SERVO if a.kind == "servo" else _ENGINE for name, a in aircraft.actuators.items()}
-    found: list[tuple[tuple[str, ...], Column, tuple[str, ...]]] = [(("time",), mapping.time, _KINDS["time"])]
-    found += [(("signals", n), c, _KINDS.get(n, _ANGLES)) for n, c in mapping.signals.items()]
-    return found + [(("actuators", n), c, kinds.get(n, tuple(_UNITS))) for n, c in mapping.actuators.items()]
+def _units(path: tuple[str, ...], aircraft: Aircraft) -> tuple[str, ...]:
+    """Those that fit the column at these keys."""
+    if path[0] != "actuators":
+        return _KINDS.get(path[-1], _ANGLES)
+    if path[1] not in aircraft.actuators:
+        return tuple(_UNITS)
+    return _ANGLES if aircraft.actuators[path[1]].kind == "servo" else _ENGINE
 
 
 def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
-    """The log of a file. Raises BadInput for what is none, lacks a column, or cannot be a flight."""
-    source, mapping = read_mapping(mapping_file, aircraft)
-    wanted = {
-        "time": mapping.time,
-        **mapping.signals,
-        **{f"actuators.{k}": v for k, v in mapping.actuators.items()},
-    }
-    wanted_names = sorted({column.column for column in wanted.values()})
-    columns = _columns(file, wanted_names, source, mapping.time.column)
-    values = {name: _value(columns, column) for name, column in wanted.items()}
-    names = list(aircraft.actuators)
-    commands = {name: values[f"actuators.{name}"] for name in names}
-    for name, each in list(commands.items()):
-        if not np.any(np.isfinite(each)):
-            raise bad("has no numbers: no actuator's output", file, mapping.actuators[name].column)
-        commands[name] = _command(file, mapping.actuators[name], each, aircraft.actuators[name].limits)
-    positions = np.array([mapping.actuators[name].unit == "N" for name in names])
-    signals = {name: values[name] for name in mapping.signals}
-    log = even(
-        str(file), values["time"], signals, commands, positions, lambda s: shown(mapping.signals[s].column)
-    )
+    """The log of a file. Raises BadInput for every problem in the mapping file, and for what is no log, lacks a column, or cannot
+    be a flight."""
+    source = read(mapping_file)
+    mapping = validated(ColumnMap, source)
+    if wrong := [source.problem(*issue) for issue in _wrong(mapping, aircraft)]:
+        raise BadInput(wrong)
+    wanted = sorted({column.column for column in mapping.columns.values()})
+    columns = _columns(file, wanted, source, mapping.time.column)
+    signals = {name: _value(columns, column) for name, column in mapping.signals.items()}
+    commands = {}
+    for name, actuator in aircraft.actuators.items():
+        commands[name] = _command(file, mapping.actuators[name], columns, actuator.limits)
+    positions = np.array([mapping.actuators[name].unit == "N" for name in commands])
+    time_s = _value(columns, mapping.time)
+    log = even(str(file), time_s, signals, commands, positions, lambda s: shown(mapping.signals[s].column))
     return flown(log, aircraft.envelope.airspeed_min_m_s or 0.0, aircraft.name)
 
 
-def _command(file: Path, column: Column, values: np.ndarray, limits: tuple[float, float]) -> np.ndarray:
+def _command(
+    file: Path, column: Column, columns: Mapping[str, np.ndarray], limits: tuple[float, float]
+) -> np.ndarray:
     """A command of an actuator with these limits [deg or throttle]; as a throttle from 0 to 1, where what is below is an output
     that is switched off, as before arming. Raises BadInput for what is none, such as a servo's pulses in degrees."""
+    values = _value(columns, column)
+    if not np.any(np.isfinite(values)):
+        raise bad("has no numbers: no actuator's output", file, column.column)
     if column.unit == "N":
         return values
     low, high = np.nanmin(values), np.nanmax(values)

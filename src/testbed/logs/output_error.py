@@ -48,11 +48,9 @@ class Output:
     covariance: np.ndarray
 
 
-def identified(
-    logs: Sequence[FlightLog], setups: Sequence[Setup], free: Mapping[str, bool], kept_back: float
-) -> Output:
+def identified(logs: Sequence[FlightLog], setup: Setup, free: Mapping[str, bool], kept_back: float) -> Output:
     """Fit the coefficients of the turning rates that are `free`, by name; empty where the logs have too few whole stretches."""
-    rows = rows_of(logs, setups, BIN_S)
+    rows = rows_of(logs, setup, BIN_S)
     used, kept = _stretches(rows, kept_back)
     parts, speed, there = rows.rates[:3], rows.speed, rows.turning[kept]
     names = [name for part in parts for name in (*part.names, "")]
@@ -63,19 +61,19 @@ def identified(
     std = np.full(len(names), np.nan)
     std[chosen] = np.sqrt(np.diagonal(covariance))
     factors = {n: (1.0 + float(change[i]), float(std[i])) for i, n in enumerate(names) if n and chosen[i]}
-    own = np.flatnonzero([bool(name) for name, c in zip(names, chosen, strict=True) if c])
-    constants = [float(value) for value, name in zip(change, names, strict=True) if not name]
+    own = np.array([bool(name) for name in names])
+    among = np.ix_(own[chosen], own[chosen])
+    constants = dict(enumerate(map(float, change[~own])))
     errors = [simulated(parts, speed, kept, c)[0] for c in (0.0 * change, change)]
     fits = zip(*(_fits(error, there) for error in errors), strict=True)
-    left = (BIN_S * kept, there, errors[1])
     return Output(
-        factors, dict(enumerate(constants)), dict(enumerate(fits)), left, covariance[np.ix_(own, own)]
+        factors, constants, dict(enumerate(fits)), (BIN_S * kept, there, errors[1]), covariance[among]
     )
 
 
 def residuals(log: FlightLog, setup: Setup) -> Residuals:
     """What the model leaves if all actuators work."""
-    rows = rows_of([log], [setup], BIN_S)
+    rows = rows_of([log], setup, BIN_S)
     still = np.zeros((len(rows.time_s), 1))
     parts = [replace(row, names=(), columns=still, at=(-1, -1, -1)) for row in rows.rates[:3]]
     used, _ = _stretches(rows, 0.0)
@@ -121,15 +119,15 @@ def fitted(
     for _ in range(_ROUNDS):
         error, by_change, by_start = simulated(parts, speed, rows, change)
         weighted = (error * weight, by_change[..., free] * weight[:, None], by_start * weight[:, None])
-        scores, information = _projected(*weighted)
+        columns = _free(*weighted[1:])
+        information = np.einsum("skip,skiq->spq", columns, weighted[1])
         total = information.sum(axis=0) + 1e-9 * np.eye(int(free.sum()))
-        step = np.linalg.solve(total, scores.sum(axis=0))
+        step = np.linalg.solve(total, np.einsum("skip,ski->sp", columns, weighted[0]).sum(axis=0))
         step *= min(1.0, _STEP / np.abs(step).max())
         change[free] -= step
         left = error - by_change[..., free] @ step
         weight = 1.0 / (np.std(left, axis=(0, 1)) + 1e-9)
     inverse = np.linalg.inv(total)
-    columns = _free(*weighted[1:])
     middle = _coloured(columns, left * weight)
     for i, factor in enumerate(1.0 + change[free]):
         middle += _coloured(columns, _SHARE * factor * columns[..., i])
@@ -197,14 +195,6 @@ def _run(
         made.append((e, S, F))
     error, by_change, by_start = (np.stack(each, axis=1) for each in zip(*made, strict=True))
     return error, by_change, by_start
-
-
-def _projected(
-    error: np.ndarray, by_change: np.ndarray, by_start: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """([stretches, factors] scores, [stretches, factors, factors] information) without what the beginnings explain."""
-    free = _free(by_change, by_start)
-    return np.einsum("skip,ski->sp", free, error), np.einsum("skip,skiq->spq", free, by_change)
 
 
 def _free(by_change: np.ndarray, by_start: np.ndarray) -> np.ndarray:

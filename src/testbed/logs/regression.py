@@ -50,9 +50,10 @@ def regression(
 ) -> Regression:
     """The regression of a log, with the design model of `setup`, in whole blocks of so many bins.
 
-    A rate that the log has not is zero on both sides.
+    A rate that the log has not is zero on both sides. What is missing of the state is filled with what does no harm.
     """
-    states = _completed(log, setup)
+    usual = {"alpha": setup.model.alpha_rad, "airspeed": setup.model.airspeed_m_s}
+    states = np.where(np.isfinite(log.states), log.states, [usual.get(name, 0.0) for name in STATE])
     width = max(round(bin_s / log.step_s), 1)
     rows = len(states) // width // block * block * width
 
@@ -69,15 +70,6 @@ def regression(
     unit = m.B[None] * np.where(m.servo, pressure[:, None], 1.0)[:, None, :] * rates[:, None]
     known = binned(log.known.astype(float)) > 0.999
     return Regression(binned(log.time_s), binned(z) * rates, phi, unit, known)
-
-
-def _completed(log: FlightLog, setup: Setup) -> np.ndarray:
-    """[rows, 17] states, with the trim's angles where the log has none, and what is missing filled with what does no harm."""
-    states, model = log.states.copy(), setup.model
-    usual = {"alpha": model.alpha_rad, "airspeed": model.airspeed_m_s}
-    for column, name in enumerate(STATE):
-        states[:, column] = np.where(np.isfinite(states[:, column]), states[:, column], usual.get(name, 0.0))
-    return states
 
 
 def _replayed(
