@@ -25,14 +25,7 @@ _ROUND = 3  # digits of a setting
 
 @dataclass(frozen=True)
 class Tolerance:
-    """What is asked of a design.
-
-    Attributes:
-        deviation: largest standard deviation of an estimate of a healthy actuator [1].
-        false_alarms_per_hour: of the whole aircraft.
-        keep: effectiveness that must not be flagged [1].
-        within_s: time in which an estimate has to converge, or None.
-    """
+    """What is asked of a design: the arguments of `design.design`."""
 
     deviation: float = 0.1
     false_alarms_per_hour: float = 0.1

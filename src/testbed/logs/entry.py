@@ -99,10 +99,10 @@ def identify(
     wrong = [factor.name for factor in found.factors if factor.contradicted]
     remarks = [_half_logged(log.name, flight.scenario) for log, _, flight in read if flight is not None]
     found = replace(found, makers=makers(own, wrong), remarks=tuple(filter(None, remarks)))
-    if out is not None and (folder := Path(out)).suffix == ".json":
-        found.model.save(folder)
+    if out is not None and Path(out).suffix == ".json":
+        found.model.save(Path(out))
     elif out is not None:
-        names = [str(log) for log in logs]
+        folder, names = Path(out), [str(log) for log in logs]
         found.model.save(folder / DESIGN_MODEL)
         identified_report.write_page(found, own.name, names, folder)
         write(folder / "summary.json", identified_report.summary(found, own.name, names), folder)

@@ -97,7 +97,6 @@ def biases(
 
     Args:
         b: [4, n] scaled input matrix of the design model.
-        actuators: their names.
         thresholds: [n] of the monitor.
         error: relative error of all entries of b.
     """
