@@ -5,12 +5,13 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from testbed.aircraft.changes import ChangedAircraft, load_with_changes
-from testbed.aircraft.description import Aircraft
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes, put_rotation
+from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.inputs.problems import BadInput
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
@@ -19,6 +20,7 @@ from testbed.scenario.load import dump, load_scenario
 from testbed.simulation.assembly import _setup, _start, assemble
 
 SLUG_KG, INCH_M = 14.59390294, 0.0254
+LEVEL = {"airspeed": 18.0, "altitude": 300.0, "alpha": 0.03, "pitch": 0.03}
 TAIL = "scenarios/left_tail_fail.yaml"
 
 
@@ -134,3 +136,53 @@ def test_a_changed_aircraft_is_written_out_and_read_again() -> None:
     assert "mass_kg: 5.5" in dump(scenario)
     assert str(scenario.aircraft) == "vtail with mass_kg 5.5, coefficients {'Cm_q': 0.9}"
     assert load_scenario(TAIL).aircraft == "vtail"
+
+
+# Air that rotates: the same bits without rotation, and as if the aircraft rotated the other way with it ------------
+
+
+def in_air(rotating_air: bool, name: str = "vtail") -> Plant:
+    made = Plant(load_aircraft(name), 200, 1, rotating_air)
+    made.place(LEVEL)
+    return made
+
+
+@pytest.mark.parametrize("name", ["vtail", "aerosonde"])
+def test_without_rotation_nothing_changes(name: str) -> None:
+    one, other = in_air(False, name), in_air(True, name)
+    for _ in range(200):
+        one.step()
+        other.step()
+    assert one.read().tobytes() == other.read().tobytes()
+
+
+def moments_in(gust: dict[str, float], **own: float) -> np.ndarray:
+    """[3] aerodynamic moments in air that rotates, for an aircraft that rotates [lbf ft]."""
+    made = in_air(True)
+    made.place({**LEVEL, **own})
+    made.blow([0.0, 0.0, 0.0, *(gust.get(rate, 0.0) for rate in "pqr")])
+    made.settle(1)
+    return np.array([made[f"moments/{m}-aero-lbsft"] for m in "lmn"])
+
+
+@pytest.mark.parametrize("rate", ["p", "r"])
+def test_rotating_air_acts_as_rotation_the_other_way(rate: str) -> None:
+    still, gust, turning = moments_in({}), moments_in({rate: -0.2}), moments_in({}, **{rate: 0.2})
+    np.testing.assert_allclose(gust - still, turning - still, rtol=1e-3, atol=1e-6)
+    assert np.max(np.abs(gust - still)) > 0.01
+    np.testing.assert_allclose(moments_in({rate: 0.2}, **{rate: 0.2}), still, atol=1e-4)
+
+
+def test_air_that_rotates_nose_up_lifts_the_nose() -> None:
+    """It is as if the aircraft rotated nose down, but for the moment of the rate of alpha, which is its own."""
+    still, up, down = (moments_in({"q": rate}) for rate in (0.0, 0.2, -0.2))
+    assert up[1] - still[1] > 0.1
+    assert up[1] - still[1] == pytest.approx(still[1] - down[1], rel=1e-6)
+
+
+def test_a_model_with_no_aerodynamics_of_its_own_stays_as_it_is() -> None:
+    for text in ("<fdm_config/>", '<fdm_config><aerodynamics file="a"/></fdm_config>'):
+        root = ElementTree.fromstring(text)
+        before = ElementTree.tostring(root)
+        put_rotation(root)
+        assert ElementTree.tostring(root) == before

@@ -16,7 +16,6 @@ from xml.etree import ElementTree
 import numpy as np
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
 from testbed.common.cache import Cache
 from testbed.common.writing import write_new
@@ -83,7 +82,7 @@ _texts: Cache[str] = Cache(16)
 def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Path]:
     """The folder from which JSBSim loads the model: the aircraft's own, or a temporary copy with its changes.
 
-    With `rotating_air` there is a copy that feels air that rotates (see `model_files.rotating_air`).
+    With `rotating_air` there is a copy that feels air that rotates (see `put_rotation`).
     """
     if aircraft.changes is None and not rotating_air:
         yield Path(aircraft.folder).resolve()
@@ -218,3 +217,43 @@ def _quantity(element: ElementTree.Element, units: Mapping[str, float], default:
 
 def _refused(path: TreePath, what: str, expected: str = "", suggestion: str = "") -> BadInput:
     return BadInput([Problem(what, path=dotted(path), expected=expected, suggestion=suggestion)])
+
+
+# Air that rotates -------------------------------------------------------------------------------------------------
+
+_RATES = {f"velocities/{axis}-aero-rad_sec": f"testbed/{axis}-aero-rad_sec" for axis in "pqr"}
+"""JSBSim's rate relative to the air, and that which takes its place."""
+ROTATION = tuple(f"testbed/{axis}-gust-rad_sec" for axis in "pqr")
+"""Rotation of the air about the body axes [rad/s]."""
+
+
+def put_rotation(root: ElementTree.Element) -> None:
+    """Let a model feel air that rotates: JSBSim gives it only the rotation of its own turbulence, which nobody can write.
+
+    In the tree of the model's own file, within <aerodynamics>, the properties of the rates relative to the air are replaced by
+    functions that subtract a rotation that can be written. Without rotation the model computes the same bits. Aerodynamics in
+    another file do not feel it.
+    """
+    section = root.find("aerodynamics")
+    if section is None or section.get("file"):
+        return
+    for element in section.iter("property"):
+        name = (element.text or "").strip()
+        element.text = _RATES.get(name, element.text)
+    rates = [_difference(*rate, gust) for rate, gust in zip(_RATES.items(), ROTATION, strict=True)]
+    for element in reversed([*map(_declared, ROTATION), *rates]):
+        section.insert(0, element)
+
+
+def _declared(name: str) -> ElementTree.Element:
+    element = ElementTree.Element("property", value="0")
+    element.text = name
+    return element
+
+
+def _difference(theirs: str, ours: str, gust: str) -> ElementTree.Element:
+    function = ElementTree.Element("function", name=ours)
+    difference = ElementTree.SubElement(function, "difference")
+    for name in (theirs, gust):
+        ElementTree.SubElement(difference, "property").text = name
+    return function

@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 
 from testbed.aircraft.changes import METRES
 from testbed.aircraft.description import Aircraft, Servo
-from testbed.aircraft.model_files.check import model_files
 from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.sections import engines
@@ -58,7 +57,7 @@ def looks_of(aircraft: Aircraft) -> Looks:
 
 
 def _read(aircraft: Aircraft) -> Looks:
-    files = model_files(aircraft)
+    files = ModelFiles(aircraft.folder, aircraft.model)
     metrics, ground = files.section("metrics"), files.section("ground_reactions")
     centre = _named(files.section("mass_balance"), "CG")
     sizes = {} if metrics is None else {each.tag: each for each in metrics.children}
@@ -115,9 +114,7 @@ def _engines(aircraft: Aircraft, files: ModelFiles, centre: Point) -> Iterator[P
 def _diameter(files: ModelFiles, thrusters: list[Element]) -> float:
     """Of a propeller; 0 for another thruster."""
     for thruster in thrusters:
-        inside = files.content.get(thruster)
-        found = inside if inside is not None and inside.tag == "propeller" else thruster.first("propeller")
-        if found is not None:
+        if (found := files.described(thruster, ("propeller",))) is not None:
             return _size(found.first("diameter"), METRES) or _UNKNOWN_M
     return 0.0
 

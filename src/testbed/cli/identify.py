@@ -54,7 +54,7 @@ def _run(options: Namespace) -> int:
 def _adjust(name: str) -> None:
     """Write numbers of the YAML into the model, and say which. Raises BadInput."""
     from testbed.aircraft.description import load_aircraft
-    from testbed.aircraft.model_files.adjust import adjust
+    from testbed.aircraft.model_files.agreement import adjust
 
     aircraft = load_aircraft(name)
     try:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.model_files.used import read_model
+from testbed.aircraft.model_files.used import ModelFiles
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import settle_at
 from testbed.plant.thrust_stand import changed, stand_physics_hz
@@ -56,7 +56,7 @@ def makers(aircraft: Aircraft, names: Iterable[str]) -> dict[str, tuple[Maker, .
 
 def _functions(aircraft: Aircraft, axis: str) -> list[str]:
     """Names of the functions of an axis; one without a name is no property, and counts as REST."""
-    files = read_model(aircraft.folder, aircraft.model)
+    files = ModelFiles(aircraft.folder, aircraft.model)
     section = files.section("aerodynamics")
     axes = [] if section is None else files.children(section, "axis")
     found = [f for each in axes if each.attributes.get("name") == axis for f in each.all("function")]

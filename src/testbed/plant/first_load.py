@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.model_files.check import model_files, model_problems
+from testbed.aircraft.model_files.check import model_problems
+from testbed.aircraft.model_files.used import ModelFiles
 from testbed.common import child
 from testbed.common.cache import Cache
 from testbed.inputs.problems import BadInput, Problem
@@ -18,7 +19,7 @@ from testbed.plant import model_cache
 _PROBE = "testbed.plant.probe"
 _LIMITS = child.Limits(processor_s=10, writes_files=False)
 """What a first load may use. The shipped aircraft takes half a second; a delay of many millions of steps would take all memory."""
-_WORDS = 300
+LONGEST = 300
 """Longest text of JSBSim's that is repeated in a message [characters]."""
 
 _records: Cache[model_cache.Record] = Cache(64)
@@ -82,7 +83,7 @@ def _answer(aircraft: Aircraft) -> model_cache.Record:
 def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
     """What ended the process, at each element that names the property of which JSBSim says that there is none."""
     missing = re.search(r"The property (\S+) does not exist", words)
-    elements = model_files(aircraft).elements() if missing else ()
+    elements = ModelFiles(aircraft.folder, aircraft.model).elements() if missing else ()
     named = [element for element in elements if missing and element.text.lstrip("-") == missing[1]]
     return [element.problem(words) for element in named] or [Problem(words, str(aircraft.model_file))]
 
@@ -97,5 +98,5 @@ def _last_words(ended: child.Ended) -> str:
     )
     if ended.signal:
         what = f"it ended the process ({ended.signal})"
-        return f"JSBSim says {words[-_WORDS:]}; {what}" if words else f"JSBSim says nothing; {what}"
-    return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {ended.status}'}"
+        return f"JSBSim says {words[-LONGEST:]}; {what}" if words else f"JSBSim says nothing; {what}"
+    return f"JSBSim says {words[-LONGEST:] or f'nothing; exit status {ended.status}'}"

@@ -20,9 +20,8 @@ from typing import Any
 import jsbsim
 import numpy as np
 
-from testbed.aircraft.changes import model_folder
+from testbed.aircraft.changes import ROTATION, model_folder
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.model_files.rotating_air import ROTATION
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
@@ -209,8 +208,7 @@ class Plant:
 
     def catalog(self) -> dict[str, bool]:
         """Name of each property of the loaded model, and whether it can be written."""
-        rows = tuple(self._fdm.get_property_catalog())
-        return _catalogs.get(rows, lambda: {name: "W" in access for name, access in map(_split, rows)})
+        return catalog_of(self._fdm)
 
     def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
@@ -336,18 +334,12 @@ class Plant:
 
     def settle(self, steps: int) -> None:
         """Run servos, motors and rotors for this many physics steps while the airframe does not move."""
-        self._freeze()
-        for _ in range(steps):
-            self._run()
-        self._thaw()
-
-    def _freeze(self) -> None:
-        self._schemes = [self._fdm[name] for name in INTEGRATORS]
+        schemes = [self._fdm[name] for name in INTEGRATORS]
         for name in INTEGRATORS:
             self._fdm[name] = 0
-
-    def _thaw(self) -> None:
-        for name, scheme in zip(INTEGRATORS, self._schemes, strict=True):
+        for _ in range(steps):
+            self._run()
+        for name, scheme in zip(INTEGRATORS, schemes, strict=True):
             self._fdm[name] = scheme
 
     def __getitem__(self, name: str) -> float:
@@ -381,10 +373,11 @@ def _together(*setters: Callable[[float], bool]) -> Callable[[Iterable[float]], 
 _catalogs: Cache[dict[str, bool]] = Cache(8)
 
 
-def _split(row: str) -> tuple[str, str]:
-    """Name and access of a row of JSBSim's catalog: `fcs/left-servo (RW)`."""
-    name, _, access = row.rpartition(" (")
-    return name.strip(), access
+def catalog_of(fdm: Any) -> dict[str, bool]:
+    """Name of each property of a model that `loaded` gave, and whether it can be written."""
+    rows = tuple(fdm.get_property_catalog())  # such as `fcs/left-servo (RW)`
+    split = (row.rpartition(" (") for row in rows)
+    return _catalogs.get(rows, lambda: {name.strip(): "W" in access for name, _, access in split})
 
 
 def _broken_model(aircraft: Aircraft, why: str) -> BadInput:

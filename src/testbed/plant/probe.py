@@ -14,12 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.model_files.check import in_yaml, model_files
+from testbed.aircraft.model_files.check import in_yaml
 from testbed.aircraft.model_files.safe_xml import Element
+from testbed.aircraft.model_files.used import ModelFiles
 from testbed.common import child
 from testbed.inputs.problems import BadInput, Issue, Problem, did_you_mean
-from testbed.plant.first_load import trust
-from testbed.plant.jsbsim import Plant, loaded
+from testbed.plant.first_load import LONGEST, trust
+from testbed.plant.jsbsim import Plant, catalog_of, loaded
 from testbed.plant.properties import command_property, position_property
 
 _PHYSICS_HZ = 200.0
@@ -28,9 +29,6 @@ _STEPS = 20
 _NAME = re.compile(r"[A-Za-z_][\w\[\]/.:-]*$")
 _MASSES = ("inertia/mass-slugs", "inertia/ixx-slugs_ft2", "inertia/iyy-slugs_ft2", "inertia/izz-slugs_ft2")
 _CHANNEL = "channel"
-_WORDS = 300
-"""Longest text of JSBSim's that is repeated [characters]."""
-
 
 Has = Callable[[str], object]
 """Whether a model has a property of this name."""
@@ -54,14 +52,14 @@ def _started(aircraft: Aircraft) -> Iterator[child.Answer]:
     missing = list(_missing_blocks(aircraft, manager, fdm))
     if missing:
         raise BadInput(in_yaml(aircraft, missing))
-    suspects = list(_missing_references(aircraft, manager.hasNode, lambda: _names(fdm)))
+    suspects = list(_missing_references(aircraft, manager.hasNode, lambda: catalog_of(fdm)))
     yield _said(suspects)  # the last words if JSBSim ends the process now
     try:
         plant = Plant(aircraft, _PHYSICS_HZ)
         _run(plant)
     except Exception as error:
         what = f"JSBSim says {str(error).strip() or type(error).__name__}"
-        raise BadInput(suspects or [Problem(what[:_WORDS], str(aircraft.model_file))]) from None
+        raise BadInput(suspects or [Problem(what[:LONGEST], str(aircraft.model_file))]) from None
     impossible = [
         *_impossible(plant),
         *_missing_references(aircraft, plant.has, plant.catalog, control=False),
@@ -69,10 +67,6 @@ def _started(aircraft: Aircraft) -> Iterator[child.Answer]:
     if impossible:
         raise BadInput(impossible)
     yield {"properties": plant.catalog()}
-
-
-def _names(fdm: Any) -> list[str]:
-    return [row.rpartition(" (")[0].strip() for row in fdm.get_property_catalog()]
 
 
 def _missing_blocks(aircraft: Aircraft, manager: Any, fdm: Any) -> Iterator[Issue]:
@@ -92,7 +86,7 @@ def _missing_blocks(aircraft: Aircraft, manager: Any, fdm: Any) -> Iterator[Issu
 def _prefix_like(name: str, fdm: Any) -> str:
     """The prefix of the property that is most like a name, among those that end as it does."""
     _, _, tail = name.rpartition("/")
-    return did_you_mean(name, (each for each in _names(fdm) if each.endswith(f"/{tail}"))).removesuffix(
+    return did_you_mean(name, (each for each in catalog_of(fdm) if each.endswith(f"/{tail}"))).removesuffix(
         f"/{tail}"
     )
 
@@ -106,7 +100,7 @@ def _missing_references(
     when it comes to one; inside it raises an error, so `control` False leaves them out.
     """
     known: list[str] = []
-    for element in model_files(aircraft).elements():
+    for element in ModelFiles(aircraft.folder, aircraft.model).elements():
         for name in _read_by(element) if control or _CHANNEL not in element.path.split("/") else ():
             if not has(name):
                 known = known or list(names())

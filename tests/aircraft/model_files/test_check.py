@@ -9,7 +9,7 @@ import pytest
 from hostile_models import HOSTILE, MODEL, inserted, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.model_files import check, functions, mass, numbers, sections, used
+from testbed.aircraft.model_files import check, numbers, sections, used
 from testbed.aircraft.model_files.check import model_problems
 
 STOCK = Path(jsbsim.__file__).parent / "aircraft"
@@ -23,14 +23,14 @@ def test_a_shipped_aircraft_has_no_problem(vtail: Aircraft) -> None:
 @pytest.mark.parametrize("name", sorted(d.name for d in STOCK.iterdir() if (d / f"{d.name}.xml").is_file()))
 def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) -> None:
     """Their `output` and `input`, entities, and files in JSBSim's shared folders; `blank` is no model of today's format."""
-    files = used.read_model(STOCK / name, name)
+    files = used.ModelFiles(STOCK / name, name)
     problems = [*files.problems]
     for rule in (
         check.forbidden,
         sections.incomplete,
         numbers.not_numbers,
-        mass.unphysical,
-        functions.dangerous,
+        numbers.unphysical,
+        check.dangerous,
     ):
         problems += rule(files)
     others = [str(problem) for problem in problems if not any(words in str(problem) for words in _ADOPTED)]
@@ -39,10 +39,10 @@ def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) 
 
 
 def test_each_file_that_is_used_is_read_once(vtail: Aircraft) -> None:
-    files = used.read_model(vtail.folder, vtail.model)
+    files = used.ModelFiles(vtail.folder, vtail.model)
     assert [root.file.name for root in files.roots] == ["vtail.xml", "vtail_motor.xml", "vtail_prop.xml"]
     assert len(sections.engines(files)) == 2
-    assert mass.point_masses(files) == 2
+    assert numbers.point_masses(files) == 2
 
 
 def test_all_problems_are_said_at_once(vtail_copy: Path) -> None:

@@ -1,19 +1,23 @@
-"""Whether the aircraft's YAML and its JSBSim model say the same: numbers of engines and point masses, limits, motors."""
+"""Whether the aircraft's YAML and its JSBSim model say the same: numbers of engines and point masses, limits, motors.
+
+`adjust` writes those of the YAML into the model.
+"""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from testbed.aircraft.description import Aircraft, Engine, MotorActuator, Servo
-from testbed.aircraft.model_files.mass import point_masses
-from testbed.aircraft.model_files.numbers import finite
-from testbed.aircraft.model_files.safe_xml import Element
+from testbed.aircraft.description import Aircraft, AnyActuator, Engine, MotorActuator, Servo
+from testbed.aircraft.model_files.numbers import finite, point_masses
+from testbed.aircraft.model_files.safe_xml import Element, read_bytes
 from testbed.aircraft.model_files.sections import ENGINES, engines
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.common.units import DEGREES_PER_RADIAN
-from testbed.inputs.problems import Issue, TreePath
+from testbed.common.writing import write
+from testbed.inputs.problems import BadInput, Issue, TreePath
 
 _RELATIVE = 1e-3
 """Largest relative difference of a number in the YAML from that in the XML; both are rounded to some digits."""
@@ -25,6 +29,8 @@ _MOTOR = {
 }
 """Fields of the YAML's `motor`, and the elements of a brushless motor's file."""
 _BRUSHLESS = "brushless_dc_motor"
+_ENCODING = "latin-1"
+"""Gives each byte of any file back as it was; what is looked for is ASCII."""
 
 
 class Difference(NamedTuple):
@@ -74,13 +80,11 @@ def differences(aircraft: Aircraft, files: ModelFiles) -> Iterator[Difference]:
     """The numbers that the two say differently."""
     declared = _declared(files)
     for name, actuator in aircraft.actuators.items():
-        here: TreePath = ("actuators", name)
-        if isinstance(actuator, Servo):
-            yield from _limits(actuator, here, declared)
-        elif isinstance(actuator, Engine):
-            yield from _throttle(actuator, here, declared)
-        else:
-            yield from _motor(actuator, here, files)
+        for path, ours, element, factor in _counterparts(actuator, files, declared):
+            said = None if element is None else finite(element.attributes.get("value", element.text))
+            if element is not None and said is not None and not _same(ours, said * factor):
+                here = ("actuators", name, *path)
+                yield Difference(here, ours, said * factor, element, said, ours / factor)
 
 
 def _declared(files: ModelFiles) -> dict[str, Element]:
@@ -98,33 +102,31 @@ def _point_mass(actuator: Servo, here: TreePath, count: int) -> Iterator[Issue]:
         yield Issue((*here, "pointmass"), what, _from_zero(count, "point mass"))
 
 
-def _limits(actuator: Servo, here: TreePath, declared: dict[str, Element]) -> Iterator[Difference]:
-    degrees = DEGREES_PER_RADIAN if actuator.unit == "deg" else 1.0
-    pairs = [
-        (("limits", 0), actuator.limits[0], "servo-min-rad", degrees),
-        (("limits", 1), actuator.limits[1], "servo-max-rad", degrees),
-        (("rate_limit",), actuator.rate_limit, "servo-rate-rad_sec", degrees),
-        (("lag_rad_s",), actuator.lag_rad_s, "servo-lag-rad_sec", 1.0),
-    ]
-    for path, ours, name, factor in pairs:
-        yield from _compared((*here, *path), ours, f"{actuator.prefix}/{name}", declared, factor)
-
-
-def _throttle(actuator: Engine, here: TreePath, declared: dict[str, Element]) -> Iterator[Difference]:
-    for i, end in enumerate(("min", "max")):
-        name = f"{actuator.prefix}/throttle-{end}-norm"
-        yield from _compared((*here, "throttle", i), actuator.throttle[i], name, declared)
-
-
-def _compared(
-    path: TreePath, ours: float, name: str, declared: dict[str, Element], factor: float = 1.0
-) -> Iterator[Difference]:
-    """A number of the YAML that is not that of a property, in the property's unit times a factor."""
-    element = declared.get(name)
-    if element is not None:
-        said = float(element.attributes["value"])
-        if not _same(ours, said * factor):
-            yield Difference(path, ours, said * factor, element, said, ours / factor)
+def _counterparts(
+    actuator: AnyActuator, files: ModelFiles, declared: dict[str, Element]
+) -> Iterator[tuple[TreePath, float, Element | None, float]]:
+    """(path, number) in the YAML; the element of the model that says the same, and the factor from its unit to the YAML's."""
+    if isinstance(actuator, MotorActuator):
+        found = _engine_file(actuator.engine, files)
+        if found is not None and found.tag == _BRUSHLESS:
+            for field, tag in _MOTOR.items():
+                yield ("motor", field), getattr(actuator.motor, field), found.first(tag), 1.0
+        return
+    if isinstance(actuator, Servo):
+        unit = DEGREES_PER_RADIAN if actuator.unit == "deg" else 1.0
+        numbers: list[tuple[TreePath, float, str, float]] = [
+            (("limits", 0), actuator.limits[0], "servo-min-rad", unit),
+            (("limits", 1), actuator.limits[1], "servo-max-rad", unit),
+            (("rate_limit",), actuator.rate_limit, "servo-rate-rad_sec", unit),
+            (("lag_rad_s",), actuator.lag_rad_s, "servo-lag-rad_sec", 1.0),
+        ]
+    else:
+        numbers = [
+            (("throttle", i), end, f"throttle-{which}-norm", 1.0)
+            for i, (end, which) in enumerate(zip(actuator.throttle, ("min", "max"), strict=True))
+        ]
+    for path, ours, name, factor in numbers:
+        yield path, ours, declared.get(f"{actuator.prefix}/{name}"), factor
 
 
 def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles) -> Iterator[Issue]:
@@ -140,25 +142,8 @@ def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles)
 
 def _engine_file(number: int, files: ModelFiles) -> Element | None:
     """What describes an engine of the model; None where there is none."""
-    known = engines(files)[number : number + 1]
-    for engine in known:
-        found = files.content.get(engine) or next(
-            (one for one in engine.children if one.tag in ENGINES), None
-        )
-        return found if found is not None and found.tag in ENGINES else None
-    return None
-
-
-def _motor(actuator: MotorActuator, here: TreePath, files: ModelFiles) -> Iterator[Difference]:
-    found = _engine_file(actuator.engine, files)
-    if found is None or found.tag != _BRUSHLESS:
-        return
-    for field, tag in _MOTOR.items():
-        element = found.first(tag)
-        ours = getattr(actuator.motor, field, None)
-        said = None if element is None else finite(element.text)
-        if element is not None and ours is not None and said is not None and not _same(ours, said):
-            yield Difference((*here, "motor", field), ours, said, element, said, ours)
+    known = engines(files)
+    return files.described(known[number], ENGINES) if number < len(known) else None
 
 
 def _from_zero(count: int, kind: str) -> str:
@@ -167,3 +152,42 @@ def _from_zero(count: int, kind: str) -> str:
 
 def _same(ours: float, theirs: float) -> bool:
     return math.isclose(ours, theirs, rel_tol=_RELATIVE, abs_tol=1e-9)
+
+
+def adjust(aircraft: Aircraft) -> Iterator[str]:
+    """Write numbers of the YAML into the model's files, where the two differ; every other byte stays.
+
+    Yields for each number what was changed, in words. Raises BadInput for files that cannot be read or are outside the aircraft's
+    folder, or a number that is not found as it stands, and OSError.
+    """
+    files = ModelFiles(aircraft.folder, aircraft.model)
+    if files.problems:
+        raise BadInput(files.problems)
+    written = set()  # two engines may share a file
+    for each in differences(aircraft, files):
+        if each.element not in written:
+            written.add(each.element)
+            file, line = each.element.file, each.element.line
+            if not file.is_relative_to(aircraft.folder):
+                raise each.element.refused("is not in the aircraft's folder", f"{each.wanted:.9g}, by hand")
+            text = _changed(read_bytes(file).decode(_ENCODING), each)
+            write(file, text.encode(_ENCODING), within=aircraft.folder)
+            yield f"{file}:{line}: {each.name} {each.said:g} -> {each.wanted:g}"
+
+
+def _changed(text: str, each: Difference) -> str:
+    """The text of a model's file with another number in an element."""
+    begin = sum(map(len, text.splitlines(keepends=True)[: each.element.line - 1]))
+    found = _pattern(each).match(text, text.find(f"<{each.element.tag}", begin))
+    if found is None:
+        raise each.element.refused("cannot be changed as it stands", f"{each.wanted:.9g}, by hand")
+    return f"{text[: found.start(1)]}{each.wanted:.9g}{text[found.end(1) :]}"
+
+
+def _pattern(each: Difference) -> re.Pattern[str]:
+    """What matches the element, with its number as the first group."""
+    if each.element.tag == "property":
+        return re.compile(
+            rf"<property\s[^>]*?\bvalue\s*=\s*[\"']([^\"']*)[\"'][^>]*>\s*{re.escape(each.name)}\s*<"
+        )
+    return re.compile(rf"<{each.element.tag}[^>]*>\s*([^<\s]+)\s*</")

@@ -62,6 +62,10 @@ class Element:
         """A problem with this element, with its file and line."""
         return Problem(what, str(self.file), self.line, self.path, expected, suggestion)
 
+    def refused(self, what: str, expected: str = "", suggestion: str = "") -> BadInput:
+        """The exception of this one problem."""
+        return BadInput([self.problem(what, expected, suggestion)])
+
 
 def read_xml(file: Path) -> Element:
     """The root element of an XML file; raises BadInput with the line when it is not safe, well-formed XML."""

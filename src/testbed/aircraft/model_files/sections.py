@@ -82,5 +82,4 @@ def _has_one(files: ModelFiles, element: Element, tags: tuple[str, ...]) -> bool
     """Whether an element has a child with one of these tags, or names a file that is one. Files that are refused count."""
     if "file" in element.attributes and element not in files.content:
         return True  # what is wrong with the file has been said
-    there = files.content.get(element)
-    return (there is not None and there.tag in tags) or any(files.children(element, tag) for tag in tags)
+    return files.described(element, tags) is not None
