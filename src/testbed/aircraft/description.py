@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import Field, PrivateAttr, field_validator
+from pydantic import AfterValidator, Field, PrivateAttr, field_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.aircraft.model_files.safe_xml import read_bytes
@@ -59,10 +59,14 @@ class Motor(Settings):
     diameter_m: Positive
 
 
-def _with_travel(ends: tuple[float, float]) -> tuple[float, float]:
+def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
     if ends[0] >= ends[1]:
         raise refuse(f"{list(ends)} leaves no travel", "[lowest, highest]")
     return ends
+
+
+Travel = Annotated[tuple[Number, Number], AfterValidator(_ascending)]
+"""Lowest and highest value."""
 
 
 class Actuator(Settings):
@@ -78,7 +82,7 @@ class Actuator(Settings):
     """Beginning of the names of its properties in the JSBSim model, such as `actuator/NAME`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
-    limits: tuple[Number, Number]
+    limits: Travel
     """Lowest and highest position that the controller may ask for."""
     scale: Positive = 1.0
     """Deflection or thrust that is one unit in the scaled input matrix, so that servos and motors can be compared."""
@@ -92,11 +96,6 @@ class Actuator(Settings):
                 "letters, digits and ._- between slashes, as fcs/left or engine[1]",
             )
         return prefix
-
-    @field_validator("limits")
-    @classmethod
-    def _ascending(cls, limits: tuple[float, float]) -> tuple[float, float]:
-        return _with_travel(limits)
 
 
 class Servo(Actuator):
@@ -144,17 +143,12 @@ class Engine(Actuator):
     kind: Literal["engine"] = "engine"
     engine: Whole
     """Number of its engine in the JSBSim model."""
-    throttle: tuple[Number, Number] = (0.0, 1.0)
+    throttle: Travel = (0.0, 1.0)
     """Lowest and highest throttle."""
     rate_limit: Positive = 1e9
     """Rate limit of the thrust [N/s]. By default only the engine's own lag limits how fast thrust changes."""
     lag_rad_s: Positive | None = None
     """Corner frequency of the first-order lag of thrust behind throttle; by default it is identified."""
-
-    @field_validator("throttle")
-    @classmethod
-    def _some_travel(cls, throttle: tuple[float, float]) -> tuple[float, float]:
-        return _with_travel(throttle)
 
 
 AnyActuator = Servo | MotorActuator | Engine

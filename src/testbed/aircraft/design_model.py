@@ -181,8 +181,9 @@ def _words(error: Exception) -> str:
 
 
 def _from_tree(data: dict[str, Any]) -> DesignModel:
-    propulsors = tuple(p and _propulsor(p) for p in data["propulsors"])
-    model = DesignModel(**{**{key: _tuple(value) for key, value in data.items()}, "propulsors": propulsors})
+    fields = _frozen(data)
+    made = [p and (EngineMap if "throttles" in p else Propulsor)(**p) for p in fields["propulsors"]]
+    model = DesignModel(**{**fields, "propulsors": tuple(made)})
     try:
         wrong = next(_impossible(model), "")
     except OverflowError:  # JSON has whole numbers that no float can be
@@ -190,6 +191,13 @@ def _from_tree(data: dict[str, Any]) -> DesignModel:
     if wrong:
         raise ValueError(wrong)
     return model
+
+
+def _frozen(value: Any) -> Any:
+    """What JSON holds, with tuples for its lists."""
+    if isinstance(value, dict):
+        return {key: _frozen(each) for key, each in value.items()}
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
 
 
 def _impossible(model: DesignModel) -> Iterator[str]:
@@ -202,15 +210,9 @@ def _impossible(model: DesignModel) -> Iterator[str]:
         "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (), "stall_alpha_rad": (),
         **({} if model.span_m is None else {"span_m": ()}),
     }  # fmt: skip
-    for name, shape in shapes.items():
-        values = np.array(getattr(model, name), dtype=float)
-        if values.shape != shape:
-            yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
-        elif not np.all(np.isfinite(values)):
-            yield f"{name} is not finite"
-        elif np.any(np.abs(values) > _LARGEST):
-            yield f"{name} is beyond {_LARGEST:g}"
-        elif name in _POSITIVE and values <= 0.0:
+    yield from _no_arrays(model, shapes)
+    for name in _POSITIVE:
+        if (value := getattr(model, name)) is not None and value <= 0.0:
             yield f"{name} is not positive"
     if not isinstance(model.identified_from, str):
         yield "identified_from is no text"
@@ -220,40 +222,40 @@ def _impossible(model: DesignModel) -> Iterator[str]:
         yield f"kinds and propulsors must have {n} entries"
     for i, propulsor in enumerate(model.propulsors):
         if propulsor is not None:
-            yield from (f"propulsors.{i}.{wrong}" for wrong in _impossible_propulsor(propulsor))
+            wrong = _no_arrays(propulsor, _shapes_of(propulsor))
+            yield from (f"propulsors.{i}.{each}" for each in wrong)
 
 
-def _impossible_propulsor(propulsor: Propulsor | EngineMap) -> Iterator[str]:
+def _shapes_of(propulsor: Propulsor | EngineMap) -> dict[str, tuple[int, ...]]:
+    """The shape of each field: a number, or a table of one point or more."""
+    numbers = dict.fromkeys(vars(propulsor), ())
     if isinstance(propulsor, EngineMap):
-        size = (len(propulsor.speeds), len(propulsor.throttles))
-        shapes: dict[str, tuple[int, ...]] = {"speeds": size[:1], "throttles": size[1:], "thrust": size}
-    else:
-        points = (len(propulsor.thrust),)
-        shapes = {"advance": (2,), "thrust": points, "torque": points}
-    for name, said in asdict(propulsor).items():
-        values, shape = np.array(said, dtype=float), shapes.get(name, ())
-        if values.shape != shape or not values.size:
+        size = (max(1, len(propulsor.speeds)), max(1, len(propulsor.throttles)))
+        return {**numbers, "speeds": size[:1], "throttles": size[1:], "thrust": size}
+    points = (max(1, len(propulsor.thrust)),)
+    return {**numbers, "advance": (2,), "thrust": points, "torque": points}
+
+
+def _no_arrays(owner: object, shapes: Mapping[str, tuple[int, ...]]) -> Iterator[str]:
+    """Fields that are not arrays of these shapes, of finite numbers of a size that numbers of aircraft have."""
+    for name, shape in shapes.items():
+        values = np.array(getattr(owner, name), dtype=float)
+        if values.shape != shape:
             yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
         elif not np.all(np.isfinite(values)):
             yield f"{name} is not finite"
-
-
-def _propulsor(data: dict[str, Any]) -> Propulsor | EngineMap:
-    fields: dict[str, Any] = {k: _tuple(v) for k, v in data.items()}
-    return EngineMap(**fields) if "throttles" in fields else Propulsor(**fields)
-
-
-def _tuple(value: Any) -> Any:
-    return tuple(map(_tuple, value)) if isinstance(value, list) else value
+        elif np.any(np.abs(values) > _LARGEST):
+            yield f"{name} is beyond {_LARGEST:g}"
 
 
 def kinematics(x: Mapping[str, float | np.ndarray]) -> np.ndarray:
-    """k(x), [..., 6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w [m/s2]."""
+    """k(x), [..., 6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w [m/s2].
+    Rates of rotation that are not given are zero."""
     alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
     u = speed * np.cos(alpha) * np.cos(beta)
     v = speed * np.sin(beta)
     w = speed * np.sin(alpha) * np.cos(beta)
-    p, q, r = x["p"], x["q"], x["r"]
+    p, q, r = (x.get(rate, 0.0) for rate in "pqr")
     g_u = -GRAVITY_M_S2 * np.sin(x["pitch"])
     g_v = GRAVITY_M_S2 * np.cos(x["pitch"]) * np.sin(x["roll"])
     g_w = GRAVITY_M_S2 * np.cos(x["pitch"]) * np.cos(x["roll"])

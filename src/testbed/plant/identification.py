@@ -67,7 +67,7 @@ def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
     for i, kind in enumerate(kinds):
         if kind == "engine":
             offsets[:, i] = _engine_offset(plant, level, i, inputs[:, i] * positions[i])
-    bias = at_trim - kinematics(_with_rates(level.state)) - inputs @ positions - offsets.sum(axis=1)
+    bias = at_trim - kinematics(level.state) - inputs @ positions - offsets.sum(axis=1)
     return DesignModel(
         airspeed_m_s=aircraft.reference.airspeed_m_s,
         altitude_m=aircraft.reference.altitude_m,
@@ -122,10 +122,6 @@ def _rates(
     return accelerations(plant, state, commands, for_s)[_ROW_ORDER]
 
 
-def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
-    return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
-
-
 def _stall_angle(plant: Plant, level: Trim) -> float:
     """Angle of attack [rad] at which lift grows with half the slope that it has at the trim, at most `_ALPHA_MAX`.
 
@@ -134,7 +130,7 @@ def _stall_angle(plant: Plant, level: Trim) -> float:
     alphas = np.arange(level.state["alpha"], _ALPHA_MAX, _STALL_STEP)
     rates = [
         _rates(plant, {**level.state, "alpha": float(alpha)}, level.commands, plant.dt_s)[-1]
-        - kinematics({**_with_rates(level.state), "alpha": float(alpha)})[-1]
+        - kinematics({**level.state, "alpha": float(alpha)})[-1]
         for alpha in alphas
     ]
     slopes = np.diff(rates)
@@ -151,7 +147,7 @@ def _sideslip(plant: Plant, level: Trim, slopes: np.ndarray) -> tuple[float, ...
     """
 
     def rates(beta: float) -> np.ndarray:
-        state = {**_with_rates(level.state), "beta": level.state["beta"] + beta}
+        state = {**level.state, "beta": level.state["beta"] + beta}
         return _rates(plant, state, level.commands) - kinematics(state)
 
     middle = rates(0.0)
@@ -245,7 +241,7 @@ def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
     step = _ANGLE_STEP if name in ("alpha", "beta") else _RATE_STEP
     rates = []
     for sign in (1.0, -1.0):
-        state = _with_rates(dict(level.state))
+        state = dict(level.state)
         state[name] = state.get(name, 0.0) + sign * step
         rates.append(_rates(plant, state, level.commands) - kinematics(state))
     return (rates[0] - rates[1]) / (2.0 * step)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -107,19 +107,19 @@ def engine_maps(plant: Plant, level: Trim) -> dict[int, EngineMap]:
         return {}
     grids = {i: throttle_grid(actuator.throttle, level.commands[i]) for i, actuator in engines.items()}
     thrusts = np.array([_thrusts_at(plant, level, grids, share) for share in _ENGINE_SPEEDS])
-    speeds = level.state["airspeed"] * math.cos(level.state["alpha"]) * _ENGINE_SPEEDS
-    responses = _responses(plant, level, engines)
+    axial = level.state["airspeed"] * math.cos(level.state["alpha"])
+    followed, responses = _responses(plant, level, engines)
     found = {}
     for row, (i, actuator) in enumerate(engines.items()):
         static = EngineMap(
             throttles=tuple(map(float, grids[i])),
-            speeds=tuple(map(float, speeds)),
+            speeds=tuple(map(float, axial * _ENGINE_SPEEDS)),
             thrust=tuple(tuple(map(float, each)) for each in thrusts[:, :, row]),
             lag_rad_s=FASTEST_RAD_S,
             rise_s=FASTEST_1_S,
             fall_s=FASTEST_1_S,
         )
-        found[i] = responses.fitted(static, i, actuator)
+        found[i] = _fitted(static, axial, followed[row], responses[row], level.commands[i], actuator)
     return found
 
 
@@ -144,48 +144,41 @@ def _thrusts_at(plant: Plant, level: Trim, grids: dict[int, np.ndarray], share: 
     return np.array(rows)
 
 
-@dataclass(frozen=True)
-class Responses:
-    """Thrust of all engines after steps of their throttles at the trim's airspeed.
+def _fitted(
+    static: EngineMap,
+    axial_m_s: float,
+    throttles: np.ndarray,
+    thrusts: np.ndarray,
+    start: float,
+    actuator: Engine,
+) -> EngineMap:
+    """The map with the lag and the rates that describe an engine's response best; a lag in the aircraft's YAML is kept.
 
-    Attributes:
-        axial_m_s: the airspeed along the body's x axis.
-        throttles: for each actuator's index, the commanded throttle of each sample.
-        thrusts: for each actuator's index, the thrust of each sample [N].
-        before: the command of each actuator before the first step.
+    Args:
+        throttles, thrusts: commanded throttle and thrust [N] of each sample, as of `_responses`.
+        start: the throttle before the first step.
     """
+    from scipy.optimize import (
+        least_squares,  # here, because it is slow to import, and this is done once for an aircraft
+    )
 
-    axial_m_s: float
-    throttles: dict[int, np.ndarray]
-    thrusts: dict[int, np.ndarray]
-    before: Sequence[float]
+    row = np.array([static.thrust_at(t, axial_m_s) for t in static.throttles])
 
-    def fitted(self, static: EngineMap, i: int, actuator: Engine) -> EngineMap:
-        """The map with the lag and the rates that describe the response of engine i best; a lag in the aircraft's YAML is kept."""
-        from scipy.optimize import (
-            least_squares,  # here, because it is slow to import, and this is done once for an aircraft
-        )
+    def misfit(logs: np.ndarray) -> np.ndarray:
+        lag, rise, fall = map(float, np.exp(logs))
+        followed = follow(throttles, start, lag, rise, fall, 1.0 / _SAMPLE_HZ)
+        return (np.interp(followed, static.throttles, row) - thrusts) / actuator.scale
 
-        throttles, thrusts, scale = self.throttles[i], self.thrusts[i], actuator.scale
-        row = np.array([static.thrust_at(t, self.axial_m_s) for t in static.throttles])
-
-        def misfit(logs: np.ndarray) -> np.ndarray:
-            lag, rise, fall = map(float, np.exp(logs))
-            followed = follow(throttles, self.before[i], lag, rise, fall, 1.0 / _SAMPLE_HZ)
-            return (np.interp(followed, static.throttles, row) - thrusts) / scale
-
-        fastest = np.log([FASTEST_RAD_S, FASTEST_1_S, FASTEST_1_S])
-        slowest = np.log([0.05, 0.01, 0.01])
-        corners, rates = (0.3, 1.0, 3.0, 10.0, 29.0), (0.05, 0.1, 0.2, 0.4, 0.8, 9.0)
-        starts = [np.log(each) for each in product(corners, rates, rates)]
-        best = min(starts, key=lambda logs: float(np.sum(misfit(logs) ** 2)))
-        found = least_squares(
-            misfit, best, bounds=(slowest - 1e-3, fastest + 1e-3), diff_step=[1e-2] * 3, max_nfev=40
-        )
-        lag, rise, fall = map(float, np.exp(np.clip(found.x, slowest, fastest)))
-        return EngineMap(
-            static.throttles, static.speeds, static.thrust, actuator.lag_rad_s or lag, rise, fall
-        )
+    fastest = np.log([FASTEST_RAD_S, FASTEST_1_S, FASTEST_1_S])
+    slowest = np.log([0.05, 0.01, 0.01])
+    corners, rates = (0.3, 1.0, 3.0, 10.0, 29.0), (0.05, 0.1, 0.2, 0.4, 0.8, 9.0)
+    starts = [np.log(each) for each in product(corners, rates, rates)]
+    best = min(starts, key=lambda logs: float(np.sum(misfit(logs) ** 2)))
+    found = least_squares(
+        misfit, best, bounds=(slowest - 1e-3, fastest + 1e-3), diff_step=[1e-2] * 3, max_nfev=40
+    )
+    lag, rise, fall = map(float, np.exp(np.clip(found.x, slowest, fastest)))
+    return replace(static, lag_rad_s=actuator.lag_rad_s or lag, rise_s=rise, fall_s=fall)
 
 
 def follow(
@@ -199,11 +192,11 @@ def follow(
     return followed
 
 
-def _responses(plant: Plant, level: Trim, engines: dict[int, Engine]) -> Responses:
-    """Steps of all throttles: a little up, a little down, to the top, to the bottom."""
+def _responses(plant: Plant, level: Trim, engines: dict[int, Engine]) -> tuple[np.ndarray, np.ndarray]:
+    """[engines, samples] throttles and thrusts [N] after steps of all throttles: a little up, a little down, to the top, to the
+    bottom."""
     settle_at(plant, level.state, level.commands, steady=_RESPONSE_STEADY)
-    throttles: dict[int, list[float]] = {i: [] for i in engines}
-    thrusts: dict[int, list[float]] = {i: [] for i in engines}
+    throttles, thrusts = [], []
     chunk = round(plant.physics_hz / _SAMPLE_HZ)
     for step in (_STEP, -_STEP, math.inf, -math.inf):
         command = list(level.commands)
@@ -212,17 +205,10 @@ def _responses(plant: Plant, level: Trim, engines: dict[int, Engine]) -> Respons
             command[i] = min(max(command[i] + step * (high - low), low), high)
         plant.command(command)
         for _ in range(round(_RESPONSE_S * _SAMPLE_HZ)):
-            for i in engines:
-                throttles[i].append(command[i])
-                thrusts[i].append(plant.position(i))
+            throttles.append([command[i] for i in engines])
+            thrusts.append([plant.position(i) for i in engines])
             plant.settle(chunk)
-    axial = level.state["airspeed"] * math.cos(level.state["alpha"])
-    return Responses(
-        axial,
-        {i: np.array(v) for i, v in throttles.items()},
-        {i: np.array(v) for i, v in thrusts.items()},
-        level.commands,
-    )
+    return np.array(throttles).T, np.array(thrusts).T
 
 
 def stand_physics_hz(aircraft: Aircraft) -> float:
