@@ -55,7 +55,6 @@ def found(change, folder):
     tree = change(read_whole(find_source("SGS", package_root())))
     write(folder, "changed", tree)
     bench = Bench(folder, "changed")
-    bench.start()
     bench.place(30.0, 1000.0)
     return {each.name: each for each in find_surfaces(tree, bench)}
 

@@ -6,7 +6,7 @@ import pytest
 from testbed.adoption.bench import Bench, write
 from testbed.adoption.blocks import cut, prefix_of
 from testbed.adoption.controls import find_surfaces
-from testbed.adoption.propulsors import engine_files, find_propulsors
+from testbed.adoption.propulsors import find_propulsors, write_engines
 from testbed.adoption.source import find_source, package_root, read_whole
 from testbed.adoption.wiring import STICKS
 
@@ -15,13 +15,9 @@ FORCES = [f"forces/fb{axis}-aero-lbs" for axis in "xyz"] + [f"moments/{axis}-aer
 
 
 def bench_of(folder, model, tree, source):
+    write_engines(tree, source, folder)
     write(folder, model, tree)
-    engines = folder / "Engines"
-    engines.mkdir()
-    for file in engine_files(tree, source):
-        (engines / file.name).write_bytes(file.read_bytes())
     bench = Bench(folder, model)
-    bench.start()
     bench.place(AIRSPEED_M_S, ALTITUDE_M, ALPHA)
     return bench
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 
-from testbed.adoption.card import card
+from testbed.adoption.card import card, losses
 from testbed.adoption.draft import Draft, make_draft, refused
-from testbed.adoption.files import Condition, write_first_flight, write_folder, write_yaml
-from testbed.adoption.losses import losses
+from testbed.adoption.files import write_first_flight, write_folder, write_yaml
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
@@ -31,13 +28,12 @@ _STEADY = 1e-4  # of engines, while a condition is sought
 
 def adopt(source: Source, folder: Path) -> str:
     """Write an aircraft's folder from a model, and return its card; raises BadInput with what is missing, without a folder."""
-    version = importlib.metadata.version("jsbsim")
     with tempfile.TemporaryDirectory() as scratch:
         draft = make_draft(source, Path(scratch) / "bench")
         place = Path(scratch) / folder.name
-        write_folder(draft, place, folder.name, version)
-        write_first_flight(draft, place, folder.name)
-        aircraft, found = _condition(draft, place, version)
+        write_folder(draft, place)
+        write_first_flight(draft, place)
+        aircraft, found = _condition(draft, place)
         model = identify(aircraft, near=found)
         model.save(place / DESIGN_MODEL)
         text = card(aircraft, model, found, losses(aircraft, found))
@@ -46,22 +42,21 @@ def adopt(source: Source, folder: Path) -> str:
     return text
 
 
-def _condition(draft: Draft, folder: Path, version: str) -> tuple[Aircraft, Trim]:
+def _condition(draft: Draft, folder: Path) -> tuple[Aircraft, Trim]:
     """Write the YAML with the first condition at which the aircraft flies steadily, well within its travel."""
-    why = ""
-    for condition in _conditions(draft):
-        write_yaml(draft, folder, folder.name, condition, version)
+    why, guess = "", [(0.0, draft.start.thrust_n / len(draft.propulsors)) for _ in draft.propulsors]
+    for speed in draft.speeds_m_s():
+        write_yaml(draft, folder, speed, guess)
         aircraft = _loaded(folder)
         plant = Plant(aircraft, stand_physics_hz(aircraft))
         try:
-            found = trim(plant, condition.airspeed_m_s, condition.altitude_m)
+            found = trim(plant, speed, draft.size.altitude_m)
         except NoTrim:
             why = why or "no steady flight was found at any airspeed from 1.25 to 3.4 times its stall's"
             continue
         used = _use(aircraft, found)
         if used is None:
-            measured = Condition(condition.airspeed_m_s, condition.altitude_m, _thrusts(plant, found))
-            write_yaml(draft, folder, folder.name, measured, version)
+            write_yaml(draft, folder, speed, _thrusts(plant, found))
             return _loaded(folder), found
         why = used
     weak = f"its engines' {draft.start.thrust_n:.0f} N at full throttle do not hold it in level flight"
@@ -78,13 +73,6 @@ def _loaded(folder: Path) -> Aircraft:
     return aircraft
 
 
-def _conditions(draft: Draft) -> Iterator[Condition]:
-    size = draft.size
-    guess = tuple((0.0, draft.start.thrust_n / len(draft.propulsors)) for _ in draft.propulsors)
-    for speed in draft.speeds_m_s():
-        yield Condition(speed, size.altitude_m, guess)
-
-
 def _use(aircraft: Aircraft, found: Trim) -> str | None:
     """What a trim uses too much of; None if nothing."""
     for (name, actuator), command in zip(aircraft.actuators.items(), found.commands, strict=True):
@@ -98,7 +86,7 @@ def _use(aircraft: Aircraft, found: Trim) -> str | None:
     return None
 
 
-def _thrusts(plant: Plant, found: Trim) -> tuple[tuple[float, float], ...]:
+def _thrusts(plant: Plant, found: Trim) -> list[tuple[float, float]]:
     """Thrust of each engine at its lowest and highest throttle [N]."""
     thrusts = []
     for i, actuator in enumerate(plant.aircraft.actuators.values()):
@@ -109,4 +97,4 @@ def _thrusts(plant: Plant, found: Trim) -> tuple[tuple[float, float], ...]:
                 settle_at(plant, found.state, commands, steady=_STEADY)
                 ends.append(plant.position(i))
             thrusts.append((ends[0], ends[1]))
-    return tuple(thrusts)
+    return thrusts

@@ -13,13 +13,10 @@ from testbed.adoption.propulsors import ELECTRIC, PISTON, Propulsor
 from testbed.adoption.source import FOREIGN
 from testbed.adoption.wiring import bare
 
-PREFIX = "actuator"
-"""Blocks are below this, where no model has properties of its own."""
-
 
 def prefix_of(name: str) -> str:
-    """The property prefix of an actuator."""
-    return f"{PREFIX}/{name.replace('_', '-')}"
+    """The property prefix of an actuator, where no model has properties of its own."""
+    return f"actuator/{name.replace('_', '-')}"
 
 
 def servo_block(surface: Surface, lag_rad_s: float, rate_rad_s: float) -> tuple[dict[str, float], ET.Element]:
@@ -137,11 +134,9 @@ def engine_losses(propulsor: Propulsor) -> list[ET.Element]:
     """External force, and for a propeller moment, by which an engine's effectiveness acts."""
     p, engine = prefix_of(propulsor.name), f"propulsion/engine[{propulsor.number}]"
     less = f"<difference><property>{p}/effectiveness</property><value>1</value></difference>"
-    direction = "".join(
-        f"<{axis}>{value:.9g}</{axis}>" for axis, value in zip("xyz", propulsor.direction, strict=True)
-    )
-    place = "".join(
-        f"<{axis}>{value:.9g}</{axis}>" for axis, value in zip("xyz", propulsor.location_m, strict=True)
+    place, direction = (
+        "".join(f"<{axis}>{value:.9g}</{axis}>" for axis, value in zip("xyz", values, strict=True))
+        for values in (propulsor.location_m, propulsor.direction)
     )
     force = f"""<force name="{propulsor.name}-loss" frame="BODY"><function name="{p}/lost-thrust-lbs">
   <product>{less}<property>{engine}/thrust-lbs</property></product></function>

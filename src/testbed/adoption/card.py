@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
-from testbed.adoption.losses import Kept
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.signals import RATES
@@ -18,10 +18,17 @@ from testbed.controllers.inversion.steady_flights import jacobian
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.controllers.released_axes import released_from_start
 from testbed.controllers.setup import own_axes, stops
-from testbed.plant.trim import Trim
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import NoTrim, Search, Trim, trim
 
 _LONGITUDINAL, _LATERAL = ("airspeed", "alpha", "q", "pitch"), ("beta", "p", "r", "roll")
 _NO_MOTION = 1e-9
+_HZ = 120.0
+_LEVEL, _LEVEL_ANY_SPEED = ("alpha", "beta", "roll"), ("alpha", "beta", "roll", "airspeed")
+_ANY_PATH = (*_LEVEL_ANY_SPEED, "path_angle")
+
+_MOST_DEG = {"roll": 30.0, "beta": 15.0, "path_angle": 30.0}
+"""A steady flight with more than one of these is none that a pilot or controller could use."""
 
 
 @dataclass(frozen=True)
@@ -161,3 +168,66 @@ def _axes(aircraft: Aircraft, model: DesignModel) -> list[str]:
 
 def _losses(kept: Sequence[Kept]) -> list[str]:
     return ["steady flight of the truth without one actuator", *(f"  without {each}" for each in kept)]
+
+
+# What is kept of steady flight after the total loss of each actuator, from a trim search on the truth -------------
+
+
+@dataclass(frozen=True)
+class Kept:
+    """The steady flight that is left without one actuator: `trim`, or None where none was found."""
+
+    actuator: str
+    trim: Trim | None
+
+    def __str__(self) -> str:
+        """In words, with airspeed, path, roll and sideslip."""
+        if self.trim is None:
+            return f"{self.actuator}: no steady flight was found"
+        state = self.trim.state
+        path = math.degrees(state["path_angle"])
+        what = "level flight" if abs(path) < 0.05 else f"a path of {path:.1f} deg"
+        angles = ", ".join(f"{name} {math.degrees(state[name]):.1f} deg" for name in ("roll", "beta"))
+        return f"{self.actuator}: {what} at {state['airspeed']:.4g} m/s, {angles}"
+
+
+def losses(aircraft: Aircraft, reference: Trim) -> list[Kept]:
+    """Of each actuator, the first steady flight found without it: level if there is one, at the reference airspeed or near it."""
+    return [Kept(name, _without(aircraft, i, reference)) for i, name in enumerate(aircraft.actuators)]
+
+
+def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
+    """Steady flight: level at the reference airspeed if there is one, else at another, else with any path.
+
+    A search that finds none takes longest. So the one with most freedom is made early: where it finds none, no other would; and
+    where it finds one, the others begin there. What is found roughly is then found to the last digit.
+    """
+    plant, at = Plant(aircraft, _HZ), aircraft.reference
+    actuators = list(aircraft.actuators.values())
+    plant[f"{actuators[i].prefix}/effectiveness"] = 0.0
+
+    def steady(angles: tuple[str, ...], search: Search) -> Trim | None:
+        with suppress(NoTrim):
+            held = {i: reference.commands[i]}
+            return trim(plant, at.airspeed_m_s, at.altitude_m, held=held, free=angles, search=search)
+        return None
+
+    powered = any(each.kind != "servo" for k, each in enumerate(actuators) if k != i)
+    found = steady(_LEVEL, Search(reference).rough(thorough=False)) if powered else None
+    if found is None or not _usable(found):
+        widest = steady(_ANY_PATH, Search(reference).rough())
+        if widest is None:
+            return None
+        level = steady(_LEVEL_ANY_SPEED, Search(widest).rough()) if powered else None
+        same_speed = steady(_LEVEL, Search(level).rough(thorough=False)) if level else None
+        choices = (same_speed, level, widest)
+        found = next((each for each in choices if each is not None and _usable(each)), None)
+    if found is None:
+        return None
+    path = ("path_angle",) if found.state["path_angle"] else ()
+    speed = ("airspeed",) if path or found.state["airspeed"] != at.airspeed_m_s else ()
+    return steady((*_LEVEL, *speed, *path), Search(found, thorough=False))
+
+
+def _usable(found: Trim) -> bool:
+    return all(abs(found.state[name]) < math.radians(most) for name, most in _MOST_DEG.items())

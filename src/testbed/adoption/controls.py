@@ -8,8 +8,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-from testbed.adoption.bench import Bench
-from testbed.adoption.condition import MOVED, StickSweep, swept
+from testbed.adoption.bench import MOVED, Bench, StickSweep, swept
 from testbed.adoption.wiring import POSITIONS, READERS, STICKS, Dynamics, Wiring, bare, dynamics_of, range_of
 
 _SECTIONS = ("aerodynamics", "external_reactions")
@@ -61,11 +60,6 @@ class Surface:
     unlimited: bool = False
 
 
-def properties_read(tree: ET.Element) -> list[str]:
-    """Properties below `fcs/` that aerodynamics and external reactions read, in the order of the file, each once."""
-    return list(dict.fromkeys(name for name, _ in places_read(tree)))
-
-
 def places_read(tree: ET.Element) -> Iterator[tuple[str, ET.Element]]:
     """(name, element) of each place where aerodynamics or external reactions read a property below `fcs/`."""
     for section in (each for each in tree if each.tag in _SECTIONS):
@@ -90,13 +84,14 @@ def find_surfaces(tree: ET.Element, bench: Bench) -> list[Surface]:
         known = stick or base in POSITIONS or wiring.follows(families[base], STICKS.values())
         if known and wiring.turns(group):
             surfaces.append(_surface(tree, sweep, base, group, stick))
-    return _renamed(sorted(surfaces, key=lambda each: _order(each.stick, each.name)))
+    order = [*STICKS, None]
+    return _renamed(sorted(surfaces, key=lambda each: (order.index(each.stick), each.name)))
 
 
 def surface_groups(tree: ET.Element) -> dict[str, list[str]]:
-    """What aerodynamics read below `fcs/`, by the names without units."""
+    """What aerodynamics and external reactions read below `fcs/`, in the order of the file, by the names without units."""
     groups: dict[str, list[str]] = {}
-    for name in properties_read(tree):
+    for name in dict.fromkeys(name for name, _ in places_read(tree)):
         groups.setdefault(_parts(name)["base"], []).append(name)
     return groups
 
@@ -110,10 +105,6 @@ def _parts(name: str) -> re.Match[str]:
 def _native(base: str) -> list[str]:
     """JSBSim's own names of a position."""
     return [f"fcs/{base}-pos-{unit}" for unit in _UNITS]
-
-
-def _order(stick: str | None, name: str) -> tuple[int, str]:
-    return (list(STICKS).index(stick) if stick else len(STICKS)), name
 
 
 def _surface(tree: ET.Element, sweep: StickSweep, base: str, group: list[str], stick: str | None) -> Surface:
@@ -142,11 +133,7 @@ def _primary(tree: ET.Element, sweep: StickSweep, base: str, group: list[str]) -
         ):
             if name in sweep.names and (sweep.spread(name) > MOVED or range_of(tree, name)):
                 return name, unit
-    first = (
-        next(name for name in group if "/mag-" not in name)
-        if any("/mag-" not in n for n in group)
-        else group[0]
-    )
+    first = next((name for name in group if "/mag-" not in name), group[0])
     return first, _parts(first)["unit"] or "norm"
 
 
@@ -176,20 +163,15 @@ def _reading(
 def _table(
     sweep: StickSweep, name: str, primary: str, per_rad: float, stick: str | None
 ) -> list[tuple[float, float]]:
-    rows = [
+    """Rows (deflection [rad], value), ascending, without deflections that are all but equal, which JSBSim refuses."""
+    rows = sorted(
         (deflection / per_rad, value)
         for each in ([stick] if stick else STICKS)
         for (_, deflection), (_, value) in zip(
             sweep.curve(each, primary), sweep.curve(each, name), strict=True
         )
-    ]
-    return _thinned(rows)
-
-
-def _thinned(rows: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Ascending, without deflections that are all but equal, which JSBSim refuses."""
-    ascending = sorted(rows)
-    return [row for i, row in enumerate(ascending) if i == 0 or row[0] - ascending[i - 1][0] > _SAME_RAD]
+    )
+    return [row for i, row in enumerate(rows) if i == 0 or row[0] - rows[i - 1][0] > _SAME_RAD]
 
 
 def _extended(

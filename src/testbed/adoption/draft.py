@@ -9,15 +9,13 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from testbed.adoption.bench import Bench, one_line, write
+from testbed.adoption.bench import HZ, SPEEDS, Bench, Size, drag_n, measure_size, one_line, write
 from testbed.adoption.blocks import cut, prefix_of, set_property
-from testbed.adoption.condition import SPEEDS, Size, drag_n, measure_size
 from testbed.adoption.controls import Surface, find_surfaces, surface_groups
-from testbed.adoption.engines import GEAR_S, LEAST_THRUST, Start, Step, clean, find_start, full_thrust, run
-from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
+from testbed.adoption.engines import LEAST_THRUST, MakeBench, Start, find_start, full_thrust, gear_up, run
+from testbed.adoption.propulsors import TURBINE, Propulsor, find_propulsors, write_engines
 from testbed.adoption.source import Source, declare, read_whole
 from testbed.adoption.wiring import STICKS
-from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import EngineError
 
@@ -34,21 +32,11 @@ _EXCESS = 1.02  # of full thrust over drag, without which an airspeed is not tri
 
 @dataclass(frozen=True)
 class Servo:
-    """A surface with its servo: lag and rate limit [rad/s], and which of them are defaults."""
+    """A surface with its servo: lag and rate limit [rad/s], those of the surface's `dynamics` or defaults."""
 
     surface: Surface
     lag_rad_s: float
     rate_rad_s: float
-
-    @property
-    def defaults(self) -> list[str]:
-        """Which of lag and rate limit the model does not give."""
-        found = self.surface.dynamics
-        return [
-            name
-            for name, value in (("lag", found.lag_rad_s), ("rate limit", found.rate_rad_s))
-            if value is None
-        ]
 
 
 @dataclass(frozen=True)
@@ -59,7 +47,6 @@ class Draft:
     tree: ET.Element
     servos: tuple[Servo, ...]
     propulsors: tuple[Propulsor, ...]
-    rockets: bool
     size: Size
     start: Start
     speeds_m_s: Callable[[], Iterator[float]]
@@ -74,13 +61,13 @@ def make_draft(source: Source, folder: Path) -> Draft:
         if tree.find(section) is None:
             raise refused(source, f"it has no <{section}>")
     propulsors = find_propulsors(tree, source)
-    whole = _Loader(source, folder / "whole", tree)
-    bench = whole.bench()
+    whole = _maker(source, folder / "whole", tree)
+    bench = whole()
     if bench.missing:
         declare(tree, dict.fromkeys(bench.missing, 0.0))
-        bench = whole.bench()
+        bench = whole()
     bench.place(_ANY_SPEED_M_S, _LOW_M)
-    run(bench, [Step(clean(), GEAR_S)])
+    run(bench, [gear_up()])
     size = measure_size(bench, _HIGH_M if any(each.kind == TURBINE for each in propulsors) else _LOW_M)
     if size is None:
         raise refused(source, "its wing gives no lift")
@@ -89,36 +76,28 @@ def make_draft(source: Source, folder: Path) -> Draft:
     if not servos:
         raise refused(source, _no_surface(tree))
     adopted = cut(tree, [(each.surface, each.lag_rad_s, each.rate_rad_s) for each in servos], propulsors)
-    loader = _Loader(source, folder / "adopted", adopted)
-    _let_float(adopted, loader, servos, size)
-    start = find_start(lambda: _in_flight(loader, size), propulsors)
+    make = _maker(source, folder / "adopted", adopted)
+    _let_float(adopted, make, servos, size)
+    start = find_start(lambda: _in_flight(make, size), propulsors)
     if propulsors and start.thrust_n < LEAST_THRUST * size.weight_n:
         weak = f"{start.thrust_n:.3g} N at full throttle, for a weight of {size.weight_n:.4g} N"
         raise refused(source, f"no known way to start its engines gives thrust to fly with: {weak}")
-    rockets = len(tree.findall("propulsion/engine")) > len(propulsors)
-    speeds = partial(_flyable, loader, size, propulsors, start)
-    return Draft(source, adopted, servos, tuple(propulsors), rockets, size, start, speeds)
+    speeds = partial(_flyable, make, size, propulsors, start)
+    return Draft(source, adopted, servos, tuple(propulsors), size, start, speeds)
 
 
-class _Loader:
-    """Makes benches of one model, whose files are written into a scratch folder when one is made."""
+def _maker(source: Source, folder: Path, tree: ET.Element) -> MakeBench:
+    """Makes benches of one model, written into a scratch folder when one is made; BadInput then has JSBSim's words."""
+    write_engines(tree, source, folder)
 
-    def __init__(self, source: Source, folder: Path, tree: ET.Element) -> None:
-        self._source, self._folder, self._tree = source, folder, tree
-        place = folder / "Engines"
-        place.mkdir(parents=True)
-        for file in engine_files(tree, source):
-            write_new(place / file.name, file.read_bytes())
-
-    def bench(self) -> Bench:
-        """A new bench; raises BadInput with JSBSim's words."""
-        write(self._folder, self._source.name, self._tree)
+    def made() -> Bench:
+        write(folder, source.name, tree)
         try:
-            bench = Bench(self._folder, self._source.name)
-            bench.start()
+            return Bench(folder, source.name)
         except EngineError as error:
-            raise refused(self._source, f"JSBSim does not load it: {one_line(str(error))}") from None
-        return bench
+            raise refused(source, f"JSBSim does not load it: {one_line(str(error))}") from None
+
+    return made
 
 
 def refused(source: Source, why: str) -> BadInput:
@@ -126,23 +105,23 @@ def refused(source: Source, why: str) -> BadInput:
     return BadInput([Problem(f"{source.name} cannot be adopted: {why}", str(source.file))])
 
 
-def _in_flight(loader: _Loader, size: Size, airspeed_m_s: float | None = None) -> Bench:
+def _in_flight(make: MakeBench, size: Size, airspeed_m_s: float | None = None) -> Bench:
     """A new bench with the model in level flight, at the usual airspeed if none is given."""
     speed = airspeed_m_s or SPEEDS[0] * size.stall_m_s
-    bench = loader.bench()
+    bench = make()
     bench.place(speed, size.altitude_m, size.alpha_at(speed))
     return bench
 
 
-def _flyable(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start) -> Iterator[float]:
+def _flyable(make: MakeBench, size: Size, propulsors: Sequence[Propulsor], start: Start) -> Iterator[float]:
     """Those of the airspeeds to try at which full thrust exceeds drag by a margin."""
-    speeds = [float(f"{speed * size.stall_m_s:.4g}") for speed in SPEEDS]
-    return (speed for speed in speeds if not propulsors or _holds(loader, size, propulsors, start, speed))
-
-
-def _holds(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start, speed: float) -> bool:
-    bench = _in_flight(loader, size, speed)
-    return full_thrust(bench, propulsors, start.steps) > _EXCESS * drag_n(bench, size.alpha_at(speed))
+    for share in SPEEDS:
+        speed = float(f"{share * size.stall_m_s:.4g}")
+        if propulsors:
+            bench = _in_flight(make, size, speed)
+            thrust_n = full_thrust(bench, propulsors, start.steps)
+        if not propulsors or thrust_n > _EXCESS * drag_n(bench, size.alpha_at(speed)):
+            yield speed
 
 
 def _with_servo(surface: Surface, size: Size) -> Servo:
@@ -160,20 +139,20 @@ def _no_surface(tree: ET.Element) -> str:
     )
 
 
-def _let_float(tree: ET.Element, loader: _Loader, servos: tuple[Servo, ...], size: Size) -> None:
+def _let_float(tree: ET.Element, make: MakeBench, servos: tuple[Servo, ...], size: Size) -> None:
     """Set how far each surface follows the air when its linkage is gone, from the turn that it causes most of.
 
     A free surface trails behind its hinge: with the wind from below its trailing edge goes up, from the right it goes left. A
     trailing edge up behind the wing pitches the nose up, one to the left turns it left, one up on the left wing rolls to the left.
     Surfaces of roll that the model moves as a pair do not float: the two sides would go up together.
     """
-    bench = _in_flight(loader, size)
+    bench = _in_flight(make, size)
     turns = bench.reader([f"accelerations/{axis}dot-rad_sec2" for axis in "qrp"])
     for servo in servos:
         p, ends = prefix_of(servo.surface.name), []
         for angle in (_PROBE_RAD, -_PROBE_RAD):
             bench.set({f"{p}/linkage-bias-rad": angle})
-            bench.settle(2.0 / bench.hz)
+            bench.settle(2.0 / HZ)
             ends.append(turns())
         bench.set({f"{p}/linkage-bias-rad": 0.0})
         name, follows = _floating(servo.surface.name, *(up - down for up, down in zip(*ends, strict=True)))

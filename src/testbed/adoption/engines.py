@@ -8,32 +8,26 @@ from dataclasses import dataclass
 from testbed.adoption.bench import Bench
 from testbed.adoption.blocks import prefix_of
 from testbed.adoption.propulsors import ELECTRIC, TURBINE, Propulsor
+from testbed.aircraft.description import StartStep
 from testbed.common.units import NEWTONS_PER_POUND
 
 _FUEL_S = 3.0  # in which collector tanks fill
 _RUN_UP_S = 25.0  # pistons and turboprops need as long from the starter to full thrust
 _WINDOW_S, _WINDOWS, _STEADY = 5.0, 12, 0.01  # the largest rotors take half a minute
-GEAR_S = 10.0
+_GEAR_S = 10.0
 """Longest travel of a gear in the jsbsim package [s]."""
+_CLEAN = {"gear/gear-cmd-norm": 0.0, "gear/gear-pos-norm": 0.0}
 _MIXTURES, _ADVANCES, _LEAN = (0.85, 0.7), (0.7, 0.4), (0.7, 1.0)
 _START_THROTTLE = 0.6  # as in the first guess of a trim
 LEAST_THRUST = 0.025
 """Thrust by weight: less than this at full throttle is no engine that runs."""
 _BETTER = 1.02  # a setting replaces the usual one if it gives this much of its thrust
 
-Way = Callable[[Sequence[Propulsor], float, float], tuple["Step", ...]]
+Way = Callable[[Sequence[Propulsor], float, float], tuple[StartStep, ...]]
 """A way to start, with a mixture and a propeller lever."""
 
 MakeBench = Callable[[], Bench]
 """Makes a new bench with the adopted model held in flight, throttles closed."""
-
-
-@dataclass(frozen=True)
-class Step:
-    """Properties to set, and the time to run after that with the airframe held [s]."""
-
-    set: dict[str, float]
-    run_s: float
 
 
 _KEEP_FUEL = {"propulsion/fuel_freeze": 1.0}
@@ -45,7 +39,7 @@ late, because one whose pumps stand still would run its collector tank dry."""
 class Start:
     """How a model is made ready to fly: `steps`, and `thrust_n` of all engines together at full throttle after them."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[StartStep, ...]
     thrust_n: float = 0.0
 
 
@@ -55,7 +49,7 @@ def find_start(make: MakeBench, propulsors: Sequence[Propulsor]) -> Start:
     Each setting is tried on a new bench, because some stop an engine for good.
     """
     if not propulsors:
-        return Start((Step(clean(), GEAR_S),))
+        return Start((gear_up(),))
     least = LEAST_THRUST * make()["inertia/weight-lbs"] * NEWTONS_PER_POUND
     simple = all(each.kind in (TURBINE, *ELECTRIC) for each in propulsors)
     best = Start(())
@@ -89,7 +83,7 @@ def _tuned(make: MakeBench, propulsors: Sequence[Propulsor], way: Way, usual: St
     return best
 
 
-def full_thrust(bench: Bench, propulsors: Sequence[Propulsor], steps: Sequence[Step]) -> float:
+def full_thrust(bench: Bench, propulsors: Sequence[Propulsor], steps: Sequence[StartStep]) -> float:
     """Thrust of all engines at full throttle [N], in flight, after a start."""
     bench.set({f"{prefix_of(each.name)}/command-norm": _START_THROTTLE for each in propulsors})
     run(bench, steps)
@@ -104,33 +98,38 @@ def full_thrust(bench: Bench, propulsors: Sequence[Propulsor], steps: Sequence[S
     return thrust * NEWTONS_PER_POUND
 
 
-def run(bench: Bench, steps: Sequence[Step]) -> None:
+def run(bench: Bench, steps: Sequence[StartStep]) -> None:
     """Carry out a start on a bench."""
     for step in steps:
         bench.set(step.set)
         bench.settle(step.run_s)
 
 
-def clean() -> dict[str, float]:
-    """Gear up, if it can be."""
-    return {"gear/gear-cmd-norm": 0.0, "gear/gear-pos-norm": 0.0}
+def gear_up() -> StartStep:
+    """Raise the gear, if it can be."""
+    return StartStep(set=_CLEAN, run_s=_GEAR_S)
 
 
-def _at_once(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+def _at_once(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[StartStep, ...]:
     """A turbine runs when it is told to, an electric engine always."""
     running = {f"propulsion/engine[{each.number}]/set-running": 1.0 for each in propulsors}
-    return Step({**clean(), **running}, _FUEL_S), Step(_KEEP_FUEL, _RUN_UP_S)
+    return _fuelled({**_CLEAN, **running})
 
 
-def _by_starter(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+def _by_starter(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[StartStep, ...]:
     levers = {}
     for each in propulsors:
         levers[f"fcs/mixture-cmd-norm[{each.number}]"] = mixture
         levers[f"fcs/advance-cmd-norm[{each.number}]"] = advance
-    return Step({**clean(), **levers, "propulsion/starter_cmd": 1.0}, _FUEL_S), Step(_KEEP_FUEL, _RUN_UP_S)
+    return _fuelled({**_CLEAN, **levers, "propulsion/starter_cmd": 1.0})
 
 
-def _told(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+def _told(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[StartStep, ...]:
     """By the starter, then by JSBSim's own command to run, with which other engines would stop."""
-    started, frozen = _by_starter(propulsors, mixture, advance)
-    return started, frozen, Step({"propulsion/set-running": -1.0}, _RUN_UP_S)
+    running = StartStep(set={"propulsion/set-running": -1.0}, run_s=_RUN_UP_S)
+    return (*_by_starter(propulsors, mixture, advance), running)
+
+
+def _fuelled(begun: dict[str, float]) -> tuple[StartStep, ...]:
+    """Steps that begin with these properties, and keep the fuel as soon as collector tanks are full."""
+    return StartStep(set=begun, run_s=_FUEL_S), StartStep(set=_KEEP_FUEL, run_s=_RUN_UP_S)

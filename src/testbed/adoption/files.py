@@ -2,78 +2,70 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import math
 import textwrap
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 
 import yaml
 
 from testbed.adoption.blocks import prefix_of
 from testbed.adoption.draft import Draft, Servo
-from testbed.adoption.propulsors import Propulsor, engine_files
+from testbed.adoption.propulsors import ADOPTED, Propulsor, write_engines
 from testbed.common.writing import write, write_new
 
+Thrusts = Sequence[tuple[float, float]]
 _SCALE = 0.4  # of half the travel: one unit of the scaled input matrix, near what the v-tail has
 _BETA_MAX_DEG, _ROLL_MAX_DEG, _ALPHA_MAX_DEG = 40, 110, 25
 _PAST_STALL_DEG = 10
 _SLOWEST, _FASTEST = 0.65, 2.2  # of the stall speed, and of the reference airspeed
-_KINDS = {
-    "piston_engine": "piston engine", "turboprop_engine": "turboprop", "turbine_engine": "turbine",
-    "electric_engine": "electric engine", "brushless_dc_motor": "electric engine",
-}  # fmt: skip
-
-
+_DEFAULT = "   # a default, the model has none"
 _BLOCKS = (
     "Between each actuator and what reads it stands a block of properties, through which commands and failures act. The "
     "model's own flight control still runs, but no longer moves these actuators. Edit what you know better."
 )
 
 
-@dataclass(frozen=True)
-class Condition:
-    """The reference of an adopted aircraft, and the thrust of each engine at its lowest and highest throttle [N]."""
-
-    airspeed_m_s: float
-    altitude_m: float
-    thrusts_n: tuple[tuple[float, float], ...] = ()
-
-
-def write_folder(draft: Draft, folder: Path, name: str, jsbsim_version: str) -> None:
-    """Write the JSBSim files: the model in one file, engines and propellers in `Engines`."""
-    (folder / "Engines").mkdir(parents=True, exist_ok=True)
-    for file in engine_files(draft.tree, draft.source):
-        write_new(folder / "Engines" / file.name, file.read_bytes())
+def write_folder(draft: Draft, folder: Path) -> None:
+    """Write the JSBSim files of an aircraft of the folder's name: the model in one file, engines and propellers in `Engines`."""
+    write_engines(draft.tree, draft.source, folder)
     ET.indent(draft.tree, "  ")
-    header = origin(draft, jsbsim_version) + " Changes are listed in the YAML beside this file."
+    header = _origin(draft) + " Changes are listed in the YAML beside this file."
     text = ET.tostring(draft.tree, encoding="unicode")
-    write_new(folder / f"{name}.xml", f'<?xml version="1.0"?>\n<!-- {header} -->\n{text}\n')
+    write_new(folder / f"{folder.name}.xml", f'<?xml version="1.0"?>\n<!-- {header} -->\n{text}\n')
 
 
-def origin(draft: Draft, jsbsim_version: str) -> str:
+def _origin(draft: Draft) -> str:
     """Where the aircraft comes from, and on what terms."""
+    version = importlib.metadata.version("jsbsim")
     return (
-        f"Adopted from the JSBSim model {draft.source.name} (jsbsim {jsbsim_version}). Its authors, its licence and its "
+        f"Adopted from the JSBSim model {draft.source.name} (jsbsim {version}). Its authors, its licence and its "
         "limits are in its <fileheader>; the jsbsim package itself is under the LGPL 2.1."
     )
 
 
-def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbsim_version: str) -> None:
-    """Write the aircraft's YAML, with a comment for what is not the model's own."""
+def write_yaml(draft: Draft, folder: Path, airspeed_m_s: float, thrusts_n: Thrusts) -> None:
+    """Write the aircraft's YAML, with a comment for what is not the model's own.
+
+    Args:
+        airspeed_m_s: of the reference.
+        thrusts_n: of each engine at its lowest and highest throttle.
+    """
     servos = [line for servo in draft.servos for line in _servo(servo)]
-    engines = zip(draft.propulsors, condition.thrusts_n, strict=True)
+    engines = zip(draft.propulsors, thrusts_n, strict=True)
     lines = [
-        *_comment(origin(draft, jsbsim_version)),
+        *_comment(_origin(draft)),
         *_comment(_BLOCKS),
-        f"name: {_quoted(name)}",
+        f"name: {_quoted(folder.name)}",
         f"description: {_quoted(_description(draft))}",
-        f"model: {_quoted(name)}",
-        *_reference(draft, condition),
+        f"model: {_quoted(folder.name)}",
+        *_reference(draft, airspeed_m_s),
         "",
         *_axes(draft),
         "",
-        *_envelope(draft, condition),
+        *_envelope(draft, airspeed_m_s),
         "",
         "# How the model is made ready to fly, once, with the airframe held: properties to write, then seconds to run.",
         "start:",
@@ -83,14 +75,14 @@ def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbs
         *servos,
         *(line for each, thrust in engines for line in _engine(each, thrust)),
     ]
-    write(folder / f"{name}.yaml", "\n".join(lines) + "\n")
+    write(folder / f"{folder.name}.yaml", "\n".join(lines) + "\n")
 
 
-def _reference(draft: Draft, condition: Condition) -> list[str]:
-    size, speed = draft.size, condition.airspeed_m_s
+def _reference(draft: Draft, speed: float) -> list[str]:
+    size = draft.size
     stall = f"{size.stall_m_s:.4g} m/s at {size.stall_alpha_deg:g} deg"
     note = f"# {speed / size.stall_m_s:.3g} times the stall's {stall}; weight {size.weight_n:.4g} N"
-    return [f"reference: {{altitude_m: {condition.altitude_m:g}, airspeed_m_s: {speed:g}}}   {note}"]
+    return [f"reference: {{altitude_m: {size.altitude_m:g}, airspeed_m_s: {speed:g}}}   {note}"]
 
 
 def _axes(draft: Draft) -> list[str]:
@@ -99,13 +91,13 @@ def _axes(draft: Draft) -> list[str]:
     return ["axes: [p_dot, q_dot, r_dot]   # without an engine no u_dot: airspeed follows from pitch"]
 
 
-def _envelope(draft: Draft, condition: Condition) -> list[str]:
+def _envelope(draft: Draft, speed: float) -> list[str]:
     size = draft.size
     limits = {
         "alpha_max_deg": max(_ALPHA_MAX_DEG, size.stall_alpha_deg + _PAST_STALL_DEG),
         "beta_max_deg": _BETA_MAX_DEG,
         "airspeed_min_m_s": _round(_SLOWEST * size.stall_m_s),
-        "airspeed_max_m_s": _round(_FASTEST * condition.airspeed_m_s),
+        "airspeed_max_m_s": _round(_FASTEST * speed),
         "roll_max_deg": _ROLL_MAX_DEG,
     }
     inside = ", ".join(f"{name}: {value:g}" for name, value in limits.items())
@@ -120,11 +112,12 @@ def _comment(text: str) -> list[str]:
 def _description(draft: Draft) -> str:
     """The model's own description in one line, and what drives it."""
     own = " ".join((draft.tree.findtext("fileheader/description") or draft.source.name).split())
-    kinds = sorted({_KINDS[each.kind] for each in draft.propulsors})
+    kinds = sorted({ADOPTED[each.kind] for each in draft.propulsors})
     if kinds:
         many = f"{len(draft.propulsors)} {kinds[0]}s" if len(draft.propulsors) > 1 else kinds[0]
         return f"{own}; {many}; adopted from JSBSim"
-    return f"{own}; {'its rocket is off' if draft.rockets else 'glider'}; adopted from JSBSim"
+    rocket = draft.tree.find("propulsion/engine")
+    return f"{own}; {'glider' if rocket is None else 'its rocket is off'}; adopted from JSBSim"
 
 
 def _quoted(text: str) -> str:
@@ -146,16 +139,22 @@ def _servo(servo: Servo) -> list[str]:
     fraction = (
         "   # the model knows fractions of full deflection: 1 is called 20 deg" if surface.nominal else ""
     )
-    unlimited = "   # a default, the model has none" if surface.unlimited else ""
-    default = {what: "   # a default, the model has none" for what in servo.defaults}
+    limits, rate, lag = (
+        _DEFAULT * missing
+        for missing in (
+            surface.unlimited,
+            surface.dynamics.rate_rad_s is None,
+            surface.dynamics.lag_rad_s is None,
+        )
+    )
     return [
         f"  {surface.name}:   # instead of {read}",
         "    kind: servo",
         f"    prefix: {prefix_of(surface.name)}",
         f"    unit: deg{fraction}",
-        f"    limits: [{_round(low, 5):g}, {_round(high, 5):g}]{unlimited}",
-        f"    rate_limit: {_round(math.degrees(servo.rate_rad_s)):g}{default.get('rate limit', '')}",
-        f"    lag_rad_s: {_round(servo.lag_rad_s):g}{default.get('lag', '')}",
+        f"    limits: [{_round(low, 5):g}, {_round(high, 5):g}]{limits}",
+        f"    rate_limit: {_round(math.degrees(servo.rate_rad_s)):g}{rate}",
+        f"    lag_rad_s: {_round(servo.lag_rad_s):g}{lag}",
         f"    scale: {_round(_SCALE * 0.5 * (high - low)):g}",
     ]
 
@@ -187,12 +186,16 @@ FILE = "first_flight.yaml"
 _DURATION_S, _TURN_S, _TURN_DEG, _FAILURE_S = 60, 5, 30, 20
 
 
-def write_first_flight(draft: Draft, folder: Path, name: str) -> None:
-    """Write the scenario. It begins at the aircraft's reference, as every scenario does that says nothing else."""
-    lost = _broken(draft).surface.name
+def write_first_flight(draft: Draft, folder: Path) -> None:
+    """Write the scenario, in which the first surface that rolls the aircraft is lost, else the last of all.
+
+    It begins at the aircraft's reference, as every scenario does that says nothing else.
+    """
+    rolling = (servo for servo in draft.servos if servo.surface.stick == "roll")
+    lost = next(rolling, draft.servos[-1]).surface.name
     lines = [
         f"# A turn by {_TURN_DEG} deg in which a surface is lost. Change it, or begin scenarios of your own with it.",
-        f"name: {name} without its {lost.replace('_', ' ')}",
+        f"name: {folder.name} without its {lost.replace('_', ' ')}",
         "aircraft: .   # this folder",
         f"duration_s: {_DURATION_S}",
         "controller: {type: adaptive_inversion}",
@@ -204,9 +207,3 @@ def write_first_flight(draft: Draft, folder: Path, name: str) -> None:
         "  - {signal: heading_deg, from_s: 30, within: 15, of: heading_command_deg}",
     ]
     write_new(folder / FILE, "\n".join(lines) + "\n")
-
-
-def _broken(draft: Draft) -> Servo:
-    """The first surface that rolls the aircraft, else the last of all."""
-    rolling = (servo for servo in draft.servos if servo.surface.stick == "roll")
-    return next(rolling, draft.servos[-1])

@@ -11,12 +11,15 @@ import numpy as np
 
 from testbed.adoption.source import Source, found_in, parsed
 from testbed.aircraft.changes import place_of
+from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem
 
-PISTON, TURBOPROP, TURBINE = "piston_engine", "turboprop_engine", "turbine_engine"
+PISTON, TURBINE = "piston_engine", "turbine_engine"
 ELECTRIC = ("electric_engine", "brushless_dc_motor")
-ADOPTED = (PISTON, TURBOPROP, TURBINE, *ELECTRIC)
-"""Kinds of engine, by the first tag of their files, that become actuators. A rocket stays off."""
+ADOPTED = {
+    PISTON: "piston engine", "turboprop_engine": "turboprop", TURBINE: "turbine", **dict.fromkeys(ELECTRIC, "electric engine"),
+}  # fmt: skip
+"""Kinds of engine, by the first tag of their files, that become actuators, in words. A rocket stays off."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +76,13 @@ def engine_files(tree: ET.Element, source: Source) -> list[Path]:
     """Files of all engines and thrusters, each once."""
     named = [each for each in tree.iter() if each.tag in ("engine", "thruster") and each.get("file")]
     return list(dict.fromkeys(file_of(each, source) for each in named))
+
+
+def write_engines(tree: ET.Element, source: Source, folder: Path) -> None:
+    """Copy those files into `Engines` in a model's new folder."""
+    (folder / "Engines").mkdir(parents=True)
+    for file in engine_files(tree, source):
+        write_new(folder / "Engines" / file.name, file.read_bytes())
 
 
 def file_of(element: ET.Element, source: Source) -> Path:

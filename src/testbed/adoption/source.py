@@ -18,7 +18,7 @@ FOREIGN = "fg/"
 
 _READ_BY_NAME = ("system", "autopilot", "flight_control", "metrics", "mass_balance", "ground_reactions")
 _SECTIONS = (*_READ_BY_NAME, "external_reactions", "buoyant_forces", "propulsion", "aerodynamics")
-_DROPPED = ("input", "output")
+_DROPPED = ("input", "output")  # of a model or section: JSBSim's sockets and files
 
 
 @dataclass(frozen=True)
@@ -94,19 +94,14 @@ def read_whole(source: Source) -> ET.Element:
         )
     _inline(tree, source)
     for element in tree.iter():
-        for name in _DROPPED:
-            for dropped in [each for each in element.findall(name) if _is_channel_of_data(each, element)]:
+        if element.tag in ("fdm_config", *_SECTIONS):  # elsewhere they are those of a component
+            for dropped in [each for each in element if each.tag in _DROPPED]:
                 element.remove(dropped)
     for element in tree.iter("property"):
         if finite(element.get("value", "0")) is None:
             element.set("value", "0")  # as JSBSim reads it
     declare(tree, dict.fromkeys(sorted(set(_made_local(tree))), 0.0))
     return tree
-
-
-def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:
-    """Whether an `input` or `output` is JSBSim's socket or file, not the input or output of a component."""
-    return parent.tag in ("fdm_config", *_SECTIONS)
 
 
 def parsed(file: Path) -> ET.Element:
@@ -118,26 +113,15 @@ def parsed(file: Path) -> ET.Element:
 
 
 def _inline(tree: ET.Element, source: Source) -> None:
-    """Put each section's file in its place. What the element itself holds, such as properties, comes before it."""
+    """Put each section's file in its place, and in that those of its parts. What the element itself holds, such as properties,
+    comes before it."""
+    places = (source.folder, source.folder / "Systems", source.root / "systems")
     for section in [each for each in tree if each.tag in _SECTIONS and each.get("file")]:
-        file = _section_file(section.get("file", ""), source)
-        content = parsed(file)
+        content = parsed(found_in(places, section.attrib.pop("file"), source))
         if "name" in content.attrib:
             section.attrib.setdefault("name", content.attrib["name"])
-        del section.attrib["file"]
         section.extend(list(content))
-        _inline_within(section, source)
-
-
-def _inline_within(section: ET.Element, source: Source) -> None:
-    """A section's file may itself name a file for a part of it."""
-    for part in [each for each in section if each.get("file") and each.tag in _SECTIONS]:
-        part.extend(list(parsed(_section_file(part.attrib.pop("file"), source))))
-
-
-def _section_file(name: str, source: Source) -> Path:
-    """The file of a section, where JSBSim looks for it."""
-    return found_in((source.folder, source.folder / "Systems", source.root / "systems"), name, source)
+        _inline(section, source)
 
 
 def found_in(places: Iterable[Path], name: str, source: Source) -> Path:

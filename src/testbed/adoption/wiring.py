@@ -80,7 +80,8 @@ def dynamics_of(tree: ET.Element, name: str, travel: tuple[float, float]) -> Dyn
     frontier = writers(tree, name)
     for _ in range(_DEPTH + 1):
         for component in frontier:
-            lag, crossing_s = _lag(component), _crossing_s(component, span)
+            lag = _number(component.findtext("lag")) if component.tag == "actuator" else None
+            crossing_s = _crossing_s(component, span)
             rate = span / crossing_s if crossing_s else None
             found = Dynamics(
                 found.lag_rad_s or _within(lag, _LAG_MIN, _LAG_MAX),
@@ -99,12 +100,6 @@ def dynamics_of(tree: ET.Element, name: str, travel: tuple[float, float]) -> Dyn
 
 def _within(value: float | None, low: float, high: float) -> float | None:
     return value if value is not None and low <= value <= high else None
-
-
-def _lag(component: ET.Element) -> float | None:
-    text = component.findtext("lag") if component.tag == "actuator" else None
-    value = _number(text)
-    return value if math.isfinite(value) else None
 
 
 def _crossing_s(component: ET.Element, span_rad: float) -> float | None:

@@ -71,7 +71,7 @@ def load_with_changes(choice: str | ChangedAircraft) -> Aircraft:
     aircraft = load_aircraft(choice.name)
     if not choice.changes:
         return aircraft
-    _Model(aircraft, choice).apply()
+    _changed(aircraft, choice)
     return aircraft.changed_by(choice)
 
 
@@ -91,7 +91,7 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
     assert isinstance(changes, ChangedAircraft)
     content = read_bytes(aircraft.model_file)
     key = (content, changes.model_dump_json(), rotating_air)
-    changed = _texts.get(key, lambda: _Model(aircraft, changes).apply(rotating_air))
+    changed = _texts.get(key, lambda: _changed(aircraft, changes, rotating_air))
     with TemporaryDirectory(prefix="testbed-") as folder:
         _copy(aircraft, changed, Path(folder))
         yield Path(folder)
@@ -103,66 +103,58 @@ def _copy(aircraft: Aircraft, changed: str, to: Path) -> None:
     for file in aircraft.folder.resolve().rglob("*.xml"):
         place = to / file.relative_to(own.parent)
         place.parent.mkdir(parents=True, exist_ok=True)
-        if file == own:
-            write_new(place, changed)
-        else:
-            write_new(place, read_bytes(file))
+        write_new(place, changed if file == own else read_bytes(file))
 
 
-class _Model:
-    """The tree of a model's own file, in which changes are made."""
+def _changed(aircraft: Aircraft, choice: ChangedAircraft, rotating_air: bool = False) -> str:
+    """The text of the changed model; raises BadInput if it has no such part."""
+    read_xml(aircraft.model_file)  # safe to parse
+    root = ElementTree.fromstring(read_bytes(aircraft.model_file))
+    _balance(root, aircraft.model_file.name, choice)
+    functions = _functions(root)
+    for name, factor in choice.coefficients.items():
+        if name not in functions:
+            what = f"{choice.name} has no aerodynamic function of this name"
+            raise _refused(("coefficients", name), what, suggestion=did_you_mean(name, functions))
+        _multiply(functions[name], factor)
+    if rotating_air:
+        put_rotation(root)
+    return ElementTree.tostring(root, encoding="unicode")
 
-    def __init__(self, aircraft: Aircraft, choice: ChangedAircraft) -> None:
-        self._file = aircraft.model_file
-        read_xml(self._file)  # safe to parse
-        self._root = ElementTree.fromstring(read_bytes(self._file))
-        self._choice = choice
 
-    def apply(self, rotating_air: bool = False) -> str:
-        """The text of the changed model; raises BadInput if it has no such part."""
-        self._balance()
-        functions = self._functions()
-        for name, factor in self._choice.coefficients.items():
-            if name not in functions:
-                what = f"{self._choice.name} has no aerodynamic function of this name"
-                raise _refused(("coefficients", name), what, suggestion=did_you_mean(name, functions))
-            _multiply(functions[name], factor)
-        if rotating_air:
-            put_rotation(self._root)
-        return ElementTree.tostring(self._root, encoding="unicode")
+def _functions(root: ElementTree.Element) -> Mapping[str, ElementTree.Element]:
+    """The aerodynamic functions, by their whole names and by the last part of each."""
+    section = root.find("aerodynamics")
+    found = [] if section is None else section.findall("axis/function")
+    named = [(function.get("name", "").strip(), function) for function in found]
+    return {key: f for name, f in reversed(named) if name for key in (name, name.rpartition("/")[2])}
 
-    def _functions(self) -> Mapping[str, ElementTree.Element]:
-        """The aerodynamic functions, by their whole names and by the last part of each."""
-        section = self._root.find("aerodynamics")
-        found = [] if section is None else section.findall("axis/function")
-        named = [(function.get("name", "").strip(), function) for function in found]
-        return {key: f for name, f in reversed(named) if name for key in (name, name.rpartition("/")[2])}
 
-    def _balance(self) -> None:
-        choice = self._choice
-        shift = (choice.cg_shift_x_m, choice.cg_shift_y_m, choice.cg_shift_z_m)
-        if choice.mass_kg is None and not any(shift):
-            return
-        path: TreePath = ("mass_kg",) if choice.mass_kg is not None else ("cg_shift_x_m",)
-        section = self._root.find("mass_balance")
-        empty = None if section is None else section.find("emptywt")
-        if section is None or empty is None:
-            raise _refused(path, f"{self._file.name} has no mass_balance with emptywt of its own to change")
-        place = next((e for e in section.findall("location") if e.get("name") == "CG"), None)
-        if place is None:
-            raise _refused(path, f"{self._file.name} has no location of the CG in its mass_balance")
-        carried = [*section.findall("pointmass"), *self._root.findall("propulsion/tank")]
-        loads = [(_carried(e), place_of(e.find("location"))) for e in carried]
-        old_empty, others = _quantity(empty, _KG, "LBS"), sum(mass for mass, _ in loads)
-        mass = choice.mass_kg if choice.mass_kg is not None else old_empty + others
-        _check_mass(mass, old_empty, others)
-        ratio = (mass - others) / old_empty
-        _scale(empty, ratio)
-        for element in (e for name in _INERTIA for e in section.findall(name)):
-            _scale(element, ratio)
-        moment = sum((m * at for m, at in loads), np.zeros(3))
-        centre = (old_empty * place_of(place) + moment) / (old_empty + others) + shift
-        _put(place, (mass * centre - moment) / (mass - others))
+def _balance(root: ElementTree.Element, file: str, choice: ChangedAircraft) -> None:
+    """Change mass and centre of gravity."""
+    shift = (choice.cg_shift_x_m, choice.cg_shift_y_m, choice.cg_shift_z_m)
+    if choice.mass_kg is None and not any(shift):
+        return
+    path: TreePath = ("mass_kg",) if choice.mass_kg is not None else ("cg_shift_x_m",)
+    section = root.find("mass_balance")
+    empty = None if section is None else section.find("emptywt")
+    if section is None or empty is None:
+        raise _refused(path, f"{file} has no mass_balance with emptywt of its own to change")
+    place = next((e for e in section.findall("location") if e.get("name") == "CG"), None)
+    if place is None:
+        raise _refused(path, f"{file} has no location of the CG in its mass_balance")
+    carried = [*section.findall("pointmass"), *root.findall("propulsion/tank")]
+    loads = [(_carried(e), place_of(e.find("location"))) for e in carried]
+    old_empty, others = _quantity(empty, _KG, "LBS"), sum(mass for mass, _ in loads)
+    mass = choice.mass_kg if choice.mass_kg is not None else old_empty + others
+    _check_mass(mass, old_empty, others)
+    ratio = (mass - others) / old_empty
+    _scale(empty, ratio)
+    for element in (e for name in _INERTIA for e in section.findall(name)):
+        _scale(element, ratio)
+    moment = sum((m * at for m, at in loads), np.zeros(3))
+    centre = (old_empty * place_of(place) + moment) / (old_empty + others) + shift
+    _put(place, (mass * centre - moment) / (mass - others))
 
 
 def _carried(element: ElementTree.Element) -> float:

@@ -5,10 +5,10 @@ Positions are in body axes from about the centre of gravity: x forward, y right,
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 from typing import Literal
 
+from testbed.common.cache import Cache
 from testbed.inputs.base import Number, Positive, Settings, Text
 from testbed.inputs.input_file import read_text
 from testbed.inputs.validation import validated
@@ -58,13 +58,14 @@ class Shape(Settings):
     propulsors: tuple[Propulsor, ...] = ()
 
 
+_shapes: Cache[Shape] = Cache(16)
+"""By a file's text; kept, because reading YAML takes a third of the time of a short flight."""
+
+
 def load_shape(folder: Path) -> Shape | None:
     """The shape in an aircraft's folder; None if it has none. Raises BadInput with everything wrong in the file."""
     file = folder / FILE
-    return _shape(read_text(file), str(file)) if file.is_file() else None
-
-
-@lru_cache(maxsize=16)
-def _shape(text: str, file: str) -> Shape:
-    """The shape that a file's text describes; kept, because reading YAML takes a third of the time of a short flight."""
-    return validated(Shape, parsed(text, file))
+    if not file.is_file():
+        return None
+    text = read_text(file)
+    return _shapes.get((text, file), lambda: validated(Shape, parsed(text, str(file))))

@@ -11,7 +11,7 @@ import importlib.util
 import json
 import os
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -81,14 +81,7 @@ def _rules() -> str:
     plant = Path(__file__).parent
     checks = plant.parent / "aircraft" / "model_files"
     for folder in (checks, plant):
-        text.update(repr(sorted(_modules(folder))).encode())
+        with os.scandir(folder) as entries:
+            seen = [(each.name, each.stat()) for each in entries if each.name.endswith(".py")]
+        text.update(repr(sorted((name, at.st_mtime_ns, at.st_size) for name, at in seen)).encode())
     return text.hexdigest()[:16]
-
-
-def _modules(folder: Path) -> Iterator[tuple[str, int, int]]:
-    """Name, time and size of each module of a package."""
-    with os.scandir(folder) as entries:
-        for entry in entries:
-            if entry.name.endswith(".py"):
-                seen = entry.stat()
-                yield entry.name, seen.st_mtime_ns, seen.st_size

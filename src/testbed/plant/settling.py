@@ -42,15 +42,9 @@ def servos_settle_s(aircraft: Aircraft, steady: float) -> float:
     `steady` of it.
     """
     settled = settle_s(aircraft)
-    crossing = max(
-        (_half_travel_s(a) for a in aircraft.actuators.values() if isinstance(a, Servo)), default=0.0
-    )
+    servos = [a for a in aircraft.actuators.values() if isinstance(a, Servo)]
+    crossing = max((0.5 * (a.limits[1] - a.limits[0]) / a.rate_limit for a in servos), default=0.0)
     return min(settled, crossing + settled * math.log(100.0 / steady) / _TIME_CONSTANTS)
-
-
-def _half_travel_s(servo: Servo) -> float:
-    low, high = servo.limits
-    return 0.5 * (high - low) / servo.rate_limit
 
 
 def settle_at(

@@ -51,12 +51,10 @@ def air_density(plant: Plant) -> float:
 def propulsors_of(plant: Plant, level: Trim) -> tuple[Propulsor | EngineMap | None, ...]:
     """Motor and propeller, or engine, of each actuator about a trim; None for servos."""
     engines = engine_maps(plant, level)
-    found: list[Propulsor | EngineMap | None] = []
-    for i, actuator in enumerate(plant.aircraft.actuators.values()):
-        found.append(
-            propeller(plant, level, i, actuator) if isinstance(actuator, MotorActuator) else engines.get(i)
-        )
-    return tuple(found)
+    return tuple(
+        propeller(plant, level, i, a) if isinstance(a, MotorActuator) else engines.get(i)
+        for i, a in enumerate(plant.aircraft.actuators.values())
+    )
 
 
 # Electric motors ------------------------------------------------------------------------------------------------

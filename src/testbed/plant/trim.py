@@ -160,7 +160,9 @@ class TrimProblem:
         if not worst < most:
             return None
         self.plant.place(state)
-        return Trim(state, tuple(commands), _positions(self.plant), worst)
+        n = len(commands)
+        positions = tuple(float(v) for v in self.plant.read()[-2 * n : -n])
+        return Trim(state, tuple(commands), positions, worst)
 
     def _root(self) -> NearestRoot:
         ranges, angles = np.array([command_range(a) for a in self._free]).reshape(-1, 2), len(self.angles)
@@ -293,8 +295,3 @@ def begin_at(plant: Plant, start: Trim) -> None:
     steps = round(time_s * plant.physics_hz)
     plant.place(start.state, turning_s=steps * plant.dt_s)
     plant.settle(steps)
-
-
-def _positions(plant: Plant) -> tuple[float, ...]:
-    n = len(plant.aircraft.actuators)
-    return tuple(float(v) for v in plant.read()[-2 * n : -n])

@@ -180,15 +180,11 @@ def _way_back(name: str, needs: Mapping[str, list[str]]) -> list[str]:
         here = waiting.pop()
         for each in needs[here]:
             if each == name:
-                return _trace(here, name, came_from)
+                way = [here]
+                while way[-1] != name:
+                    way.append(came_from[way[-1]])
+                return way[:-1] or [name]
             if each not in came_from:
                 came_from[each] = here
                 waiting.append(each)
     return []
-
-
-def _trace(last: str, name: str, came_from: Mapping[str, str]) -> list[str]:
-    way = [last]
-    while way[-1] != name:
-        way.append(came_from[way[-1]])
-    return way[:-1] or [name]
