@@ -12,7 +12,7 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.signals import STATE
 from testbed.inputs.problems import BadInput
 from testbed.plant.first_load import property_catalog
-from testbed.plant.jsbsim import NoProperty, Plant
+from testbed.plant.jsbsim import NoProperty, Plant, opened
 from testbed.plant.trim import Trim, begin_at
 
 HZ = 200
@@ -30,7 +30,7 @@ def signals(plant: Plant) -> dict[str, float]:
 
 
 def test_no_warning_when_loaded(vtail: Aircraft) -> None:
-    assert Plant(vtail, HZ).warnings == ()
+    assert opened(vtail.folder, vtail.model, HZ)[1] == []
 
 
 def test_a_warning_would_be_seen(vtail_copy: Path) -> None:
@@ -39,7 +39,7 @@ def test_a_warning_would_be_seen(vtail_copy: Path) -> None:
     text = (vtail_copy / "vtail.xml").read_text()
     assert line in text
     (vtail_copy / "vtail.xml").write_text(text.replace(line, line + line))
-    (warning,) = Plant(load_aircraft(str(vtail_copy)), HZ).warnings
+    (warning,) = opened(vtail_copy, "vtail", HZ)[1]
     assert "already defined" in warning
 
 

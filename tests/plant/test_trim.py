@@ -108,7 +108,7 @@ def test_the_first_guess_is_what_it_says(vtail: Aircraft) -> None:
     state, commands = problem.condition(problem.first_guess())
     assert (state["alpha"], state["airspeed"], state["roll"]) == pytest.approx((0.05, 18.0, 0.0))
     assert commands == pytest.approx([0.0, 0.0, 0.6, 0.7])
-    assert problem.free_actuators == [0, 1, 2]
+    assert list(problem.free) == [0, 1, 2]
 
 
 def test_the_solution_solves_the_problem(vtail: Aircraft, level: Trim) -> None:

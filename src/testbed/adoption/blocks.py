@@ -152,11 +152,7 @@ def cut(
     surfaces: Iterable[tuple[Surface, float, float]],
     propulsors: Iterable[Propulsor],
 ) -> ET.Element:
-    """A new model with the blocks.
-
-    Args:
-        surfaces: each with its servo's lag and rate limit [rad/s].
-    """
+    """A new model with the blocks; each surface is given with its servo's lag and rate limit [rad/s]."""
     tree = copy.deepcopy(tree)
     control = _section(tree, "flight_control")
     for surface, lag, rate in surfaces:

@@ -50,11 +50,7 @@ class Motion:
 
 
 def modes_of(model: DesignModel, path_angle: float = 0.0) -> list[Motion]:
-    """The longitudinal and lateral modes with surfaces and thrust held, fastest first.
-
-    Args:
-        path_angle: of the trim [rad].
-    """
+    """The longitudinal and lateral modes about a trim on a path [rad] with surfaces and thrust held, fastest first."""
     return [
         *_named(_eigenvalues(model, _LONGITUDINAL, path_angle), ("short period", "phugoid"), "pitch"),
         *_named(_eigenvalues(model, _LATERAL, path_angle), ("dutch roll", "roll and spiral"), "roll"),
@@ -93,20 +89,21 @@ def _eigenvalues(model: DesignModel, states: tuple[str, ...], path_angle: float)
     return sorted(upper, key=abs, reverse=True)
 
 
-def card(aircraft: Aircraft, model: DesignModel, trim: Trim, kept: Sequence[Kept]) -> str:
+def card(aircraft: Aircraft, model: DesignModel, level: Trim, kept: Sequence[Kept]) -> str:
     """The whole card, in lines."""
+    modes = modes_of(model, level.state["path_angle"])
     sections = [
-        _head(aircraft, trim),
-        _modes(model, trim),
+        _head(aircraft, level),
+        ["modes, with surfaces and thrust held", *(f"  {mode}" for mode in modes)],
         _inputs(aircraft, model),
         _axes(aircraft, model),
-        _losses(kept),
+        ["steady flight of the truth without one actuator", *(f"  without {each}" for each in kept)],
     ]
     return "\n\n".join("\n".join(lines) for lines in sections)
 
 
-def _head(aircraft: Aircraft, trim: Trim) -> list[str]:
-    state, at = trim.state, aircraft.reference
+def _head(aircraft: Aircraft, level: Trim) -> list[str]:
+    state, at = level.state, aircraft.reference
     path = math.degrees(state["path_angle"])
     flight = "level" if abs(path) < 0.05 else f"path {path:.1f} deg"
     lines = [f"{aircraft.name}: {aircraft.description}"]
@@ -114,20 +111,13 @@ def _head(aircraft: Aircraft, trim: Trim) -> list[str]:
         f"trim at {at.airspeed_m_s:.4g} m/s, {at.altitude_m:g} m: {flight}, alpha {math.degrees(state['alpha']):.1f} deg"
     ]
     for (name, actuator), position, command in zip(
-        aircraft.actuators.items(), trim.positions, trim.commands, strict=True
+        aircraft.actuators.items(), level.positions, level.commands, strict=True
     ):
         share = "" if actuator.kind == "servo" else f" at throttle {command:.2f}"
         lines.append(
             f"  {name:<16} {position:9.4g} {actuator.unit:3} of {actuator.limits[0]:g} to {actuator.limits[1]:g}{share}"
         )
     return lines
-
-
-def _modes(model: DesignModel, trim: Trim) -> list[str]:
-    return [
-        "modes, with surfaces and thrust held",
-        *(f"  {mode}" for mode in modes_of(model, trim.state["path_angle"])),
-    ]
 
 
 def _scale(aircraft: Aircraft) -> np.ndarray:
@@ -156,18 +146,10 @@ def _axes(aircraft: Aircraft, model: DesignModel) -> list[str]:
     lines += [f"  always: {', '.join(absent)}, for want of an actuator"] if absent else []
     lines += [f"  from the start: {', '.join(now) or 'none'}"]
     modes = enumerate_modes(model, _scale(aircraft), control, (*absent, *now))
-    for i, name in enumerate(aircraft.actuators):
-        more = (
-            [axis for axis in modes[(i,)].released if axis not in absent]
-            if len(aircraft.actuators) > 1
-            else []
-        )
+    for i, name in enumerate(aircraft.actuators) if len(aircraft.actuators) > 1 else ():
+        more = [axis for axis in modes[(i,)].released if axis not in absent]
         lines += [f"  without {name}: {', '.join(more)}"] if more else []
     return lines
-
-
-def _losses(kept: Sequence[Kept]) -> list[str]:
-    return ["steady flight of the truth without one actuator", *(f"  without {each}" for each in kept)]
 
 
 # What is kept of steady flight after the total loss of each actuator, from a trim search on the truth -------------

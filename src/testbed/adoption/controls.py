@@ -150,10 +150,9 @@ def _reading(
     if name == primary:
         return Reading(name, gain=per_rad)
     parts = _parts(name)
-    if parts["unit"] in _PER_RAD and (per_rad in _PER_RAD.values()):
-        return Reading(name, gain=_PER_RAD[parts["unit"]], magnitude=parts["mag"] is not None)
-    if parts["mag"] is not None:
-        return Reading(name, gain=_PER_RAD.get(parts["unit"] or "", 1.0 / _NOMINAL_RAD), magnitude=True)
+    magnitude = parts["mag"] is not None
+    if magnitude or (parts["unit"] in _PER_RAD and per_rad in _PER_RAD.values()):
+        return Reading(name, _PER_RAD.get(parts["unit"] or "", 1.0 / _NOMINAL_RAD), magnitude)
     table = _table(sweep, name, primary, per_rad, stick)
     if len(table) < 2:  # nothing moved on the bench: the full travel is 1
         return Reading(name, gain=1.0 / max(map(abs, travel)))

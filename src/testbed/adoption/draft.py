@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 from testbed.adoption.bench import HZ, SPEEDS, Bench, Size, drag_n, measure_size, one_line, write
 from testbed.adoption.blocks import cut, prefix_of, set_property
@@ -30,8 +30,7 @@ _PROBE_RAD = 0.02
 _EXCESS = 1.02  # of full thrust over drag, without which an airspeed is not tried
 
 
-@dataclass(frozen=True)
-class Servo:
+class Servo(NamedTuple):
     """A surface with its servo: lag and rate limit [rad/s], those of the surface's `dynamics` or defaults."""
 
     surface: Surface
@@ -41,7 +40,7 @@ class Servo:
 
 @dataclass(frozen=True)
 class Draft:
-    """What the bench shows of a model, and the model with blocks."""
+    """What the bench shows of a model, the model with blocks, and what makes benches of that."""
 
     source: Source
     tree: ET.Element
@@ -49,9 +48,20 @@ class Draft:
     propulsors: tuple[Propulsor, ...]
     size: Size
     start: Start
-    speeds_m_s: Callable[[], Iterator[float]]
-    """Airspeeds to try for the reference, the usual one first; the engines' thrust is more than the drag at each. To find out takes
-    as long as to start the engines, so each is looked at when it is its turn."""
+    make: MakeBench
+
+    def speeds_m_s(self) -> Iterator[float]:
+        """Airspeeds to try for the reference, the usual one first; the engines' thrust exceeds the drag at each by a margin.
+
+        To find out takes as long as to start the engines, so each is looked at when it is its turn.
+        """
+        for share in SPEEDS:
+            speed = float(f"{share * self.size.stall_m_s:.4g}")
+            if self.propulsors:
+                bench = _in_flight(self.make, self.size, speed)
+                thrust_n = full_thrust(bench, self.propulsors, self.start.steps)
+            if not self.propulsors or thrust_n > _EXCESS * drag_n(bench, self.size.alpha_at(speed)):
+                yield speed
 
 
 def make_draft(source: Source, folder: Path) -> Draft:
@@ -75,15 +85,14 @@ def make_draft(source: Source, folder: Path) -> Draft:
     servos = tuple(_with_servo(each, size) for each in find_surfaces(tree, bench))
     if not servos:
         raise refused(source, _no_surface(tree))
-    adopted = cut(tree, [(each.surface, each.lag_rad_s, each.rate_rad_s) for each in servos], propulsors)
+    adopted = cut(tree, servos, propulsors)
     make = _maker(source, folder / "adopted", adopted)
     _let_float(adopted, make, servos, size)
     start = find_start(lambda: _in_flight(make, size), propulsors)
     if propulsors and start.thrust_n < LEAST_THRUST * size.weight_n:
         weak = f"{start.thrust_n:.3g} N at full throttle, for a weight of {size.weight_n:.4g} N"
         raise refused(source, f"no known way to start its engines gives thrust to fly with: {weak}")
-    speeds = partial(_flyable, make, size, propulsors, start)
-    return Draft(source, adopted, servos, tuple(propulsors), size, start, speeds)
+    return Draft(source, adopted, servos, tuple(propulsors), size, start, make)
 
 
 def _maker(source: Source, folder: Path, tree: ET.Element) -> MakeBench:
@@ -111,17 +120,6 @@ def _in_flight(make: MakeBench, size: Size, airspeed_m_s: float | None = None) -
     bench = make()
     bench.place(speed, size.altitude_m, size.alpha_at(speed))
     return bench
-
-
-def _flyable(make: MakeBench, size: Size, propulsors: Sequence[Propulsor], start: Start) -> Iterator[float]:
-    """Those of the airspeeds to try at which full thrust exceeds drag by a margin."""
-    for share in SPEEDS:
-        speed = float(f"{share * size.stall_m_s:.4g}")
-        if propulsors:
-            bench = _in_flight(make, size, speed)
-            thrust_n = full_thrust(bench, propulsors, start.steps)
-        if not propulsors or thrust_n > _EXCESS * drag_n(bench, size.alpha_at(speed)):
-            yield speed
 
 
 def _with_servo(surface: Surface, size: Size) -> Servo:

@@ -27,8 +27,7 @@ Way = Callable[[Sequence[Propulsor], float, float], tuple[StartStep, ...]]
 """A way to start, with a mixture and a propeller lever."""
 
 MakeBench = Callable[[], Bench]
-"""Makes a new bench with the adopted model held in flight, throttles closed."""
-
+"""Makes a new bench; for a start, with the adopted model held in flight, throttles closed."""
 
 _KEEP_FUEL = {"propulsion/fuel_freeze": 1.0}
 """Mass then stays as it is. Not from the first instant, because an engine with an empty collector tank would starve; and not

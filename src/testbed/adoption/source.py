@@ -53,11 +53,7 @@ def package_root() -> Path:
 
 
 def find_source(model: str, root: Path) -> Source:
-    """A model of the jsbsim package by its name, or any model by its folder; raises BadInput when there is none.
-
-    Args:
-        root: the folder of the jsbsim package, with `aircraft`, `engine` and `systems`.
-    """
+    """A model of the jsbsim package, whose root folder is given, by its name, or any model by its folder; raises BadInput."""
     if not model:
         raise BadInput([Problem("no model is given", expected=_MODEL)])
     packaged = root / "aircraft" / model

@@ -133,11 +133,7 @@ def bare(text: str | None) -> str:
 
 
 class Wiring:
-    """The connections of one model.
-
-    Args:
-        tree: the model, in one tree.
-    """
+    """The connections of a model that is one tree."""
 
     def __init__(self, tree: ET.Element) -> None:
         self._sources: dict[str, set[str]] = {}

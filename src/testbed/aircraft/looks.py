@@ -12,7 +12,6 @@ from testbed.aircraft.changes import METRES
 from testbed.aircraft.description import Aircraft, Servo
 from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import Element
-from testbed.aircraft.model_files.sections import engines
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.aircraft.shape import Point
 from testbed.common.cache import Cache
@@ -101,7 +100,7 @@ def _says(element: Element, *words: str) -> bool:
 
 
 def _engines(aircraft: Aircraft, files: ModelFiles, centre: Point) -> Iterator[Power]:
-    there = engines(files)
+    there = files.inside("propulsion", "engine")
     for name, actuator in aircraft.actuators.items():
         if isinstance(actuator, Servo) or actuator.engine >= len(there):
             continue

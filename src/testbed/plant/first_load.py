@@ -83,8 +83,8 @@ def _answer(aircraft: Aircraft) -> model_cache.Record:
 def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
     """What ended the process, at each element that names the property of which JSBSim says that there is none."""
     missing = re.search(r"The property (\S+) does not exist", words)
-    elements = ModelFiles(aircraft.folder, aircraft.model).elements() if missing else ()
-    named = [element for element in elements if missing and element.text.lstrip("-") == missing[1]]
+    elements = ModelFiles(aircraft.folder, aircraft.model).elements()
+    named = (element for element in elements if missing and element.text.lstrip("-") == missing[1])
     return [element.problem(words) for element in named] or [Problem(words, str(aircraft.model_file))]
 
 

@@ -113,17 +113,16 @@ def engine_errors() -> Iterator[None]:
         raise EngineError(str(error)) from None
 
 
-def loaded(aircraft: Aircraft, physics_hz: float, rotating_air: bool = False) -> tuple[Any, tuple[str, ...]]:
-    """JSBSim with the aircraft's model loaded, and what it warned about; raises BadInput if it cannot load the model.
+def loaded(aircraft: Aircraft, physics_hz: float, rotating_air: bool = False) -> Any:
+    """JSBSim with the aircraft's model loaded; raises BadInput if it cannot load the model.
 
     It must be known that the model does not end the process: see `first_load.assure`.
     """
     try:
         with model_folder(aircraft, rotating_air) as folder:
-            fdm, warnings = opened(folder, aircraft.model, physics_hz)
+            return opened(folder, aircraft.model, physics_hz)[0]
     except EngineError as error:
         raise _broken_model(aircraft, str(error)) from None
-    return fdm, tuple(warnings)
 
 
 class Plant:
@@ -143,7 +142,6 @@ class Plant:
         blow: sets the velocity of the air over the ground, north, east, down, and its rotation about the body axes, in the units
             of `air_factors`. The model feels the rotation if the plant was made with `rotating_air`.
         step: advances by one control step. With one substep this is JSBSim's own `run`, to save the cost of a call around it.
-        warnings: what JSBSim warned about while loading.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
         air_factors: [6] from SI to the units of `blow`.
@@ -158,7 +156,7 @@ class Plant:
         self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
-        self._fdm, self.warnings = loaded(aircraft, physics_hz, rotating_air)
+        self._fdm = loaded(aircraft, physics_hz, rotating_air)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps

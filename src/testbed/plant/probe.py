@@ -47,7 +47,7 @@ def _probed(request: dict[str, Any]) -> Iterator[child.Answer]:
 
 def _started(aircraft: Aircraft) -> Iterator[child.Answer]:
     """The properties of the model, after it was loaded and run; raises BadInput with what was found."""
-    fdm, _ = loaded(aircraft, _PHYSICS_HZ)
+    fdm = loaded(aircraft, _PHYSICS_HZ)
     manager = fdm.get_property_manager()
     missing = list(_missing_blocks(aircraft, manager, fdm))
     if missing:

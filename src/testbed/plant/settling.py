@@ -73,11 +73,9 @@ def settle_at(
 
 
 def wait_for_engines(plant: Plant, steady: float, at_least_s: float = 0.0) -> float:
-    """Run until the thrust of each engine is steady, or for `_ENGINES_WITHIN_S`; returns for how long [s].
+    """Run until the thrust of each engine is steady (see `settle_at`), or for `_ENGINES_WITHIN_S`; returns for how long [s].
 
-    Args:
-        steady: as in `settle_at`.
-        at_least_s: time that servos need, in which the engines settle too [s].
+    Servos need `at_least_s`, in which the engines settle too.
     """
     steps = round(_ENGINE_WINDOW_S * plant.physics_hz)
     thrusts = [_thrusts(plant)]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -113,29 +113,24 @@ class TrimProblem:
     given: Mapping[str, float]
     angles: tuple[str, ...]
     held: Mapping[int, float]
-    search: Search = field(default_factory=Search)
+    search: Search = Search()
 
     @property
-    def free_actuators(self) -> list[int]:
-        """Indices of the actuators whose commands are unknown."""
-        return [i for i in range(len(self.plant.aircraft.actuators)) if i not in self.held]
-
-    @property
-    def _free(self) -> list[AnyActuator]:
-        actuators = list(self.plant.aircraft.actuators.values())
-        return [actuators[i] for i in self.free_actuators]
+    def free(self) -> dict[int, AnyActuator]:
+        """The actuators whose commands are unknown, by their indices."""
+        return {i: a for i, a in enumerate(self.plant.aircraft.actuators.values()) if i not in self.held}
 
     @property
     def sizes(self) -> np.ndarray:
         """Units by which the unknowns are scaled [rad, m/s; rad or throttle for commands: half the travel]."""
-        ranges = [command_range(actuator) for actuator in self._free]
+        ranges = [command_range(actuator) for actuator in self.free.values()]
         return np.array([_SIZES[n] for n in self.angles] + [0.5 * (high - low) for low, high in ranges])
 
     def first_guess(self) -> np.ndarray:
         """First guess of the scaled unknowns: those of `search.near`, else surfaces at mid-travel and throttles above it."""
         near = self.search.near
         known = {**_FIRST_ANGLES, **self.given, **(near.state if near else {})}
-        commands = [near.commands[i] for i in self.free_actuators] if near else list(map(_first, self._free))
+        commands = [near.commands[i] for i in self.free] if near else list(map(_first, self.free.values()))
         return np.array([known[name] for name in self.angles] + commands) / self.sizes
 
     def condition(self, unknowns: np.ndarray) -> tuple[dict[str, float], list[float]]:
@@ -143,7 +138,7 @@ class TrimProblem:
         values = list(map(float, unknowns * self.sizes))
         state = {**_FIRST_ANGLES, **self.given, **dict(zip(self.angles, values, strict=False))}
         state["pitch"] = level_pitch(state["alpha"], state["beta"], state["roll"], state["path_angle"])
-        free = dict(zip(self.free_actuators, values[len(self.angles) :], strict=True))
+        free = dict(zip(self.free, values[len(self.angles) :], strict=True))
         commands = {**self.held, **free}
         return state, [commands[i] for i in range(len(commands))]
 
@@ -165,13 +160,16 @@ class TrimProblem:
         return Trim(state, tuple(commands), positions, worst)
 
     def _root(self) -> NearestRoot:
-        ranges, angles = np.array([command_range(a) for a in self._free]).reshape(-1, 2), len(self.angles)
+        ranges, angles = (
+            np.array([command_range(a) for a in self.free.values()]).reshape(-1, 2),
+            len(self.angles),
+        )
         # The scaled airspeed of a fast aircraft may be beyond `_FARTHEST` at the first guess already.
         far = np.maximum(_FARTHEST, 2.0 * np.abs(self.first_guess()[:angles]))
         low, high = (
             np.concatenate([far * s, ranges[:, k] / self.sizes[angles:]]) for s, k in ((-1, 0), (1, 1))
         )
-        weight = np.array([_WEIGHTS[name] for name in self.angles] + [1.0] * len(self._free))
+        weight = np.array([_WEIGHTS[name] for name in self.angles] + [1.0] * len(self.free))
         exact = NearestRoot(self.residual, low, high, weight, self._preferred, self.search.enough)
         return self._with_rough_start(exact) if self.plant.aircraft.has_engines else exact
 
@@ -188,7 +186,9 @@ class TrimProblem:
 
     def _preferred(self, unknowns: np.ndarray) -> np.ndarray:
         """The unknowns with the least use: no deflection, and of each throttle the mean of all."""
-        throttles = [len(self.angles) + i for i, a in enumerate(self._free) if not isinstance(a, Servo)]
+        throttles = [
+            len(self.angles) + i for i, a in enumerate(self.free.values()) if not isinstance(a, Servo)
+        ]
         preferred = np.zeros(len(unknowns))
         preferred[: len(self.angles)] = self.first_guess()[: len(self.angles)]
         if throttles:

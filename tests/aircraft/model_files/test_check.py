@@ -41,8 +41,8 @@ def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) 
 def test_each_file_that_is_used_is_read_once(vtail: Aircraft) -> None:
     files = used.ModelFiles(vtail.folder, vtail.model)
     assert [root.file.name for root in files.roots] == ["vtail.xml", "vtail_motor.xml", "vtail_prop.xml"]
-    assert len(sections.engines(files)) == 2
-    assert numbers.point_masses(files) == 2
+    assert len(files.inside("propulsion", "engine")) == 2
+    assert len(files.inside("mass_balance", "pointmass")) == 2
 
 
 def test_all_problems_are_said_at_once(vtail_copy: Path) -> None:

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from testbed.aircraft.description import Aircraft, AnyActuator, Engine, MotorActuator, Servo
-from testbed.aircraft.model_files.numbers import finite, point_masses
+from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import Element, read_bytes
-from testbed.aircraft.model_files.sections import ENGINES, engines
+from testbed.aircraft.model_files.sections import ENGINES
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.common.units import DEGREES_PER_RADIAN
 from testbed.common.writing import write
@@ -70,7 +70,7 @@ def disagreements(aircraft: Aircraft, files: ModelFiles) -> Iterator[Issue]:
     for name, actuator in aircraft.actuators.items():
         here: TreePath = ("actuators", name)
         if isinstance(actuator, Servo):
-            yield from _point_mass(actuator, here, point_masses(files))
+            yield from _point_mass(actuator, here, len(files.inside("mass_balance", "pointmass")))
         else:
             yield from _engine(actuator, here, files)
     yield from (each.issue for each in differences(aircraft, files))
@@ -130,7 +130,7 @@ def _counterparts(
 
 
 def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles) -> Iterator[Issue]:
-    count = len(engines(files))
+    count = len(files.inside("propulsion", "engine"))
     if actuator.engine >= count:
         what = f"{actuator.engine} is not the number of an engine of the model"
         yield Issue((*here, "engine"), what, _from_zero(count, "engine"))
@@ -142,7 +142,7 @@ def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles)
 
 def _engine_file(number: int, files: ModelFiles) -> Element | None:
     """What describes an engine of the model; None where there is none."""
-    known = engines(files)
+    known = files.inside("propulsion", "engine")
     return files.described(known[number], ENGINES) if number < len(known) else None
 
 

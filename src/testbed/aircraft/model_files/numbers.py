@@ -105,23 +105,17 @@ def unphysical(files: ModelFiles) -> Iterator[Problem]:
     section = files.section("mass_balance")
     if section is None:
         return
-    weights = files.children(section, "emptywt")
-    if not weights and not point_masses(files):
+    weights, points = files.children(section, "emptywt"), files.children(section, "pointmass")
+    if not weights and not points:
         yield section.problem("has no <emptywt>", "the weight of the empty aircraft")
     for weight in weights:
         yield from _more_than_zero(weight)
-    for point in files.children(section, "pointmass"):
+    for point in points:
         for weight in point.all("weight"):
             value = finite(weight.text)
             if value is not None and value < 0:
                 yield weight.problem(f"is {value:g}", "0 or more")
     yield from _inertia(files, section)
-
-
-def point_masses(files: ModelFiles) -> int:
-    """Number of point masses of the model."""
-    section = files.section("mass_balance")
-    return 0 if section is None else len(files.children(section, "pointmass"))
 
 
 def _more_than_zero(element: Element) -> Iterator[Problem]:
@@ -133,7 +127,7 @@ def _more_than_zero(element: Element) -> Iterator[Problem]:
 def _inertia(files: ModelFiles, section: Element) -> Iterator[Problem]:
     moments = [files.children(section, name) for name in _MOMENTS]
     for name, found in zip(_MOMENTS, moments, strict=True):
-        if not found and not point_masses(files):
+        if not found and not files.children(section, "pointmass"):
             yield section.problem(f"has no <{name}>", "the moment of inertia about each axis")
         for moment in found:
             yield from _more_than_zero(moment)

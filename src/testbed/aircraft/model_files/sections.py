@@ -23,12 +23,6 @@ _UNITS = {
 _PROPELLER_PARTS, _PROPELLER_TABLES = ("ixx", "diameter", "numblades"), ("C_THRUST", "C_POWER")
 
 
-def engines(files: ModelFiles) -> list[Element]:
-    """The engines of the model, in the order of their numbers."""
-    section = files.section("propulsion")
-    return [] if section is None else files.children(section, "engine")
-
-
 def incomplete(files: ModelFiles) -> Iterator[Problem]:
     """Sections that JSBSim needs and that are not there, and engines that it cannot make."""
     root = files.root
@@ -39,7 +33,7 @@ def incomplete(files: ModelFiles) -> Iterator[Problem]:
             yield root.problem(
                 f"has no <{tag}>", "a section that JSBSim needs; it may be empty" * (tag == _NEEDED[2])
             )
-    for engine in engines(files):
+    for engine in files.inside("propulsion", "engine"):
         yield from _engine(files, engine)
     yield from _parts(files)
 

@@ -73,6 +73,11 @@ class ModelFiles:
         """The section of the model with this tag."""
         return None if self.root is None else self.root.first(tag)
 
+    def inside(self, section: str, tag: str) -> list[Element]:
+        """The children with this tag of a section, in the order of JSBSim's numbers: engines of `propulsion`, for example."""
+        there = self.section(section)
+        return [] if there is None else self.children(there, tag)
+
     def _own(self, model: str) -> Path:
         """The model's own file; raises BadInput if it is not there or may not be read."""
         file = self._folder / f"{model}.xml"
