@@ -76,7 +76,8 @@ def find_surfaces(tree: ET.Element, bench: Bench) -> list[Surface]:
     positions are surfaces too where nothing moves them, as in a model without flight control.
     """
     wiring, groups = Wiring(tree), surface_groups(tree)
-    families = {base: [*group, *_native(base)] for base, group in groups.items()}
+    native = {base: [f"fcs/{base}-pos-{unit}" for unit in _UNITS] for base in groups}  # JSBSim's own names
+    families = {base: [*group, *native[base]] for base, group in groups.items()}
     sweep = swept(bench, list(dict.fromkeys(name for family in families.values() for name in family)))
     surfaces = []
     for base, group in groups.items():
@@ -100,11 +101,6 @@ def _parts(name: str) -> re.Match[str]:
     parts = _PARTS.match(name)
     assert parts is not None
     return parts
-
-
-def _native(base: str) -> list[str]:
-    """JSBSim's own names of a position."""
-    return [f"fcs/{base}-pos-{unit}" for unit in _UNITS]
 
 
 def _surface(tree: ET.Element, sweep: StickSweep, base: str, group: list[str], stick: str | None) -> Surface:

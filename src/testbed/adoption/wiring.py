@@ -54,11 +54,11 @@ def range_of(tree: ET.Element, name: str) -> tuple[float, float] | None:
 
 def _range(component: ET.Element) -> list[float]:
     """Ends of a component's output, of its range, stops or settings; empty when it has none in numbers."""
-    gain = _number(component.findtext("gain")) if component.tag == "aerosurface_scale" else 1.0
     ends = []
     if component.tag == "aerosurface_scale":
+        gain = finite(component.findtext("gain", ""))
         ends = [_number(component.findtext(f"range/{end}")) for end in ("min", "max")]
-        ends = [end * (1.0 if math.isnan(gain) else gain) for end in ends]
+        ends = [end * (1.0 if gain is None else gain) for end in ends]
     elif component.tag == "kinematic":
         ends = [_number(each.findtext("position")) for each in component.findall("traverse/setting")]
     clips = [_number(component.findtext(f"clipto/{end}")) for end in ("min", "max")]

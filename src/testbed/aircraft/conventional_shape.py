@@ -8,7 +8,7 @@ Proportions that no file has (chord of a tail, radius of a fuselage) are those o
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -60,10 +60,11 @@ def conventional(
     seen = replace(looks or Looks(span_m), span_m=span_m)
     if not seen.engines:
         seen = replace(seen, engines=tuple(_along_the_wing(motors, span_m)))
-    frame = _Frame.of(seen)
+    frame = _Frame(seen)
+    panels = (*_wings(frame, surfaces), *_tail(frame, surfaces))
     return Shape(
         span_m=span_m,
-        panels=tuple(_rounded(panel) for panel in (*_wings(frame, surfaces), *_tail(frame, surfaces))),
+        panels=tuple(each.model_copy(update={"points": tuple(map(_point, each.points))}) for each in panels),
         bodies=tuple(_bodies(frame)),
         propulsors=tuple(_propulsor(power, frame) for power in seen.engines),
     )
@@ -91,31 +92,22 @@ def _moving(surfaces: Roles, role: str, side: float = 0.0) -> tuple[str | None, 
     return None, 1
 
 
-@dataclass(frozen=True)
 class _Frame:
-    """The lines of an aircraft: its looks, its nose and tail, the radius of its fuselage, and whether it is swept as jets are."""
+    """The lines of an aircraft: its looks, its nose and tail, the radius of its fuselage, whether it is swept as jets are, and
+    whether its wing carries the elevators, where the files give it no tail."""
 
-    looks: Looks
-    nose_m: float
-    tail_m: float
-    radius_m: float
-    swept: bool
-
-    @classmethod
-    def of(cls, looks: Looks) -> _Frame:
+    def __init__(self, looks: Looks) -> None:
         span, ahead = looks.span_m, [looks.eye_x_m + 0.06 * looks.span_m if looks.eye_x_m else 0.0]
         along = [x for x, *_ in looks.contacts]
         middle = [e.at[0] for e in looks.engines if abs(e.at[1]) < 0.05 * span]
         arm = looks.tail_arm_m if looks.tail_arm_m > 0.2 * span else 0.0
-        nose = max(*ahead, *along, *middle, 0.0) or 0.3 * span
-        tail = min(*along, -1.15 * arm, 0.0) or -0.55 * span
-        radius = min(_SLENDER * (nose - tail), _WIDEST * span)
-        swept = any(not e.diameter_m for e in looks.engines)
-        return cls(looks, nose, tail, radius, swept)
-
-    @property
-    def wing_m2(self) -> float:
-        return self.looks.wing_m2 or self.looks.span_m**2 / _ASPECT
+        self.looks = looks
+        self.nose_m = max(*ahead, *along, *middle, 0.0) or 0.3 * span
+        self.tail_m = min(*along, -1.15 * arm, 0.0) or -0.55 * span
+        self.radius_m = min(_SLENDER * (self.nose_m - self.tail_m), _WIDEST * span)
+        self.swept = any(not e.diameter_m for e in looks.engines)
+        self.tailless = bool(looks.wing_m2) and looks.tail_m2 < 0.01 * looks.wing_m2
+        self.wing_m2 = looks.wing_m2 or span**2 / _ASPECT
 
     @property
     def levels(self) -> list[float]:
@@ -135,7 +127,7 @@ def _wings(frame: _Frame, surfaces: Roles) -> Iterator[Panel]:
     for i, z in enumerate(levels):
         for side in (_LEFT, _RIGHT):
             name, sense = _moving(surfaces, "aileron", side) if i == 0 else (None, 1)
-            flap = _moving(surfaces, "elevator", side) if _tailless(frame) else (None, 1)
+            flap = _moving(surfaces, "elevator", side) if frame.tailless else (None, 1)
             yield wing.strip((0.0, 1.0), (0.0, _HINGE), side, z)
             yield wing.strip((0.0, 0.5), (_HINGE, 1.0), side, z, *flap)
             yield wing.strip(
@@ -171,38 +163,25 @@ class _Plane:
         name: str | None = None, sense: Sense = 1,
     ) -> Panel:  # fmt: skip
         """A part of one half, from shares of the half span and of the chord."""
+
+        def at(share: float, along: float) -> Point:
+            chord = self.root * (1.0 - (1.0 - self.taper) * share)
+            return (self.front - self.back * share - along * chord, 0.5 * self.span * share * side, z)
+
         (inner, outer), (front, back) = across, along
-        points = (
-            self._at(inner, front, side, z),
-            self._at(outer, front, side, z),
-            self._at(outer, back, side, z),
-            self._at(inner, back, side, z),
-        )
+        points = (at(inner, front), at(outer, front), at(outer, back), at(inner, back))
         return Panel(points=points, actuator=name, sense=sense)
-
-    def halves(self, z: float, moving: Callable[[float], tuple[str | None, Sense]]) -> Iterator[Panel]:
-        """Both halves, each with a surface over its whole width; `moving` gives that of a side."""
-        for side in (_LEFT, _RIGHT):
-            yield self.strip((0.0, 1.0), (0.0, _HINGE), side, z)
-            yield self.strip((0.0, 1.0), (_HINGE, 1.0), side, z, *moving(side))
-
-    def _at(self, share: float, along: float, side: float, z: float) -> Point:
-        chord = self.root * (1.0 - (1.0 - self.taper) * share)
-        return (self.front - self.back * share - along * chord, 0.5 * self.span * share * side, z)
-
-
-def _tailless(frame: _Frame) -> bool:
-    """Whether the wing carries the elevators: the files give it no tail."""
-    return bool(frame.looks.wing_m2) and frame.looks.tail_m2 < 0.01 * frame.looks.wing_m2
 
 
 def _tail(frame: _Frame, surfaces: Roles) -> Iterator[Panel]:
     area = frame.looks.tail_m2 or _TAIL * frame.wing_m2
     span = math.sqrt((3.0 if frame.swept else 4.0) * area)
     back, end = 0.3 * span if frame.swept else 0.0, frame.tail_m + 0.3 * frame.radius_m
-    if not _tailless(frame):
+    if not frame.tailless:
         plane = _Plane(end + area / span + 0.5 * back, area / span, 1.0, back, span)
-        yield from plane.halves(0.0, lambda side: _moving(surfaces, "elevator", side))
+        for side in (_LEFT, _RIGHT):
+            yield plane.strip((0.0, 1.0), (0.0, _HINGE), side, 0.0)
+            yield plane.strip((0.0, 1.0), (_HINGE, 1.0), side, 0.0, *_moving(surfaces, "elevator", side))
     yield from _fin(frame, end, *_moving(surfaces, "rudder"))
 
 
@@ -260,10 +239,6 @@ def _along_the_wing(motors: Sequence[str], span_m: float) -> Iterator[Power]:
     for name, y in zip(motors, np.linspace(-0.2, 0.2, len(motors)), strict=True):
         at = (0.31, 0.0, 0.0) if len(motors) == 1 else (0.08, float(y), 0.02)
         yield Power((at[0] * span_m, at[1] * span_m, at[2] * span_m), name, 0.12 * span_m)
-
-
-def _rounded(panel: Panel) -> Panel:
-    return panel.model_copy(update={"points": tuple(map(_point, panel.points))})
 
 
 def _point(point: Point) -> Point:

@@ -67,12 +67,14 @@ class Difference(NamedTuple):
 
 def disagreements(aircraft: Aircraft, files: ModelFiles) -> Iterator[Issue]:
     """Issues of the YAML, by their path in it."""
+    points = len(files.inside("mass_balance", "pointmass"))
     for name, actuator in aircraft.actuators.items():
         here: TreePath = ("actuators", name)
-        if isinstance(actuator, Servo):
-            yield from _point_mass(actuator, here, len(files.inside("mass_balance", "pointmass")))
-        else:
+        if not isinstance(actuator, Servo):
             yield from _engine(actuator, here, files)
+        elif actuator.pointmass is not None and actuator.pointmass >= points:
+            what = f"{actuator.pointmass} is not the number of a point mass of the model"
+            yield Issue((*here, "pointmass"), what, _from_zero(points, "point mass"))
     yield from (each.issue for each in differences(aircraft, files))
 
 
@@ -82,7 +84,9 @@ def differences(aircraft: Aircraft, files: ModelFiles) -> Iterator[Difference]:
     for name, actuator in aircraft.actuators.items():
         for path, ours, element, factor in _counterparts(actuator, files, declared):
             said = None if element is None else finite(element.attributes.get("value", element.text))
-            if element is not None and said is not None and not _same(ours, said * factor):
+            if element is None or said is None:
+                continue
+            if not math.isclose(ours, said * factor, rel_tol=_RELATIVE, abs_tol=1e-9):
                 here = ("actuators", name, *path)
                 yield Difference(here, ours, said * factor, element, said, ours / factor)
 
@@ -94,12 +98,6 @@ def _declared(files: ModelFiles) -> dict[str, Element]:
         if element.tag == "property" and finite(element.attributes.get("value", "")) is not None:
             found.setdefault(element.text, element)
     return found
-
-
-def _point_mass(actuator: Servo, here: TreePath, count: int) -> Iterator[Issue]:
-    if actuator.pointmass is not None and actuator.pointmass >= count:
-        what = f"{actuator.pointmass} is not the number of a point mass of the model"
-        yield Issue((*here, "pointmass"), what, _from_zero(count, "point mass"))
 
 
 def _counterparts(
@@ -148,10 +146,6 @@ def _engine_file(number: int, files: ModelFiles) -> Element | None:
 
 def _from_zero(count: int, kind: str) -> str:
     return f"a number from 0 to {count - 1}" if count else f"a model with at least one {kind}"
-
-
-def _same(ours: float, theirs: float) -> bool:
-    return math.isclose(ours, theirs, rel_tol=_RELATIVE, abs_tol=1e-9)
 
 
 def adjust(aircraft: Aircraft) -> Iterator[str]:

@@ -96,7 +96,7 @@ class _Reader:
         self._parser.buffer_text = True
         self._parser.StartElementHandler = self._start
         self._parser.EndElementHandler = lambda tag: self._open.pop()
-        self._parser.CharacterDataHandler = self._characters
+        self._parser.CharacterDataHandler = lambda text: self._open[-1].pieces.append(text)
         self._parser.StartDoctypeDeclHandler = self._doctype
 
     def read(self, contents: bytes) -> Element:
@@ -128,9 +128,6 @@ class _Reader:
         else:
             parent.children.append(element)
         self._open.append(element)
-
-    def _characters(self, text: str) -> None:
-        self._open[-1].pieces.append(text)
 
     def _doctype(self, *_: object) -> None:
         raise self._refuse(
