@@ -106,7 +106,8 @@ def _parts(name: str) -> re.Match[str]:
 def _surface(tree: ET.Element, sweep: StickSweep, base: str, group: list[str], stick: str | None) -> Surface:
     primary, unit = _primary(tree, sweep, base, group)
     per_rad = _PER_RAD.get(unit, 1.0 / _NOMINAL_RAD)
-    low, high = _travel(tree, sweep, primary, per_rad)
+    reached = [*sweep.every(primary), *(range_of(tree, primary) or ())]  # in the sweep, and by its component
+    low, high = min(reached) / per_rad, max(reached) / per_rad
     unlimited = high - low < MOVED
     if unlimited:
         low, high = -_NOMINAL_RAD, _NOMINAL_RAD
@@ -131,12 +132,6 @@ def _primary(tree: ET.Element, sweep: StickSweep, base: str, group: list[str]) -
                 return name, unit
     first = next((name for name in group if "/mag-" not in name), group[0])
     return first, _parts(first)["unit"] or "norm"
-
-
-def _travel(tree: ET.Element, sweep: StickSweep, primary: str, per_rad: float) -> tuple[float, float]:
-    """Lowest and highest deflection [rad]: what the sweep reached, and what the writing component could."""
-    ends = [*sweep.every(primary), *(range_of(tree, primary) or ())]
-    return min(ends) / per_rad, max(ends) / per_rad
 
 
 def _reading(
