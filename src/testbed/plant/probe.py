@@ -30,9 +30,6 @@ _NAME = re.compile(r"[A-Za-z_][\w\[\]/.:-]*$")
 _MASSES = ("inertia/mass-slugs", "inertia/ixx-slugs_ft2", "inertia/iyy-slugs_ft2", "inertia/izz-slugs_ft2")
 _CHANNEL = "channel"
 
-Has = Callable[[str], object]
-"""Whether a model has a property of this name."""
-
 
 def _probed(request: dict[str, Any]) -> Iterator[child.Answer]:
     """The answers for one aircraft."""
@@ -92,7 +89,7 @@ def _prefix_like(name: str, fdm: Any) -> str:
 
 
 def _missing_references(
-    aircraft: Aircraft, has: Has, names: Callable[[], Iterable[str]], control: bool = True
+    aircraft: Aircraft, has: Callable[[str], object], names: Callable[[], Iterable[str]], control: bool = True
 ) -> Iterator[Problem]:
     """Properties that functions and components of the model read, and that no part of it has.
 

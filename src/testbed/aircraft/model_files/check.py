@@ -101,7 +101,6 @@ _NAMED = ("function", "table")
 _READ = ("property", "p", "independentVar")
 _MOST_ENGINES = 8
 """Engines for which a name with `#`, their number, is written out."""
-Named = Mapping[str, Element]
 
 
 def dangerous(files: ModelFiles) -> Iterator[Problem]:
@@ -131,7 +130,7 @@ def _remainder(element: Element) -> Iterator[Problem]:
         )
 
 
-def _named(files: ModelFiles) -> Named:
+def _named(files: ModelFiles) -> dict[str, Element]:
     """The elements that a property of some name stands for."""
     found = {}
     for element in files.elements():
@@ -153,7 +152,7 @@ def _plain(name: str) -> str:
     return posixpath.normpath("/" + bare).lstrip("/")
 
 
-def _circular(named: Named) -> Iterator[Problem]:
+def _circular(named: Mapping[str, Element]) -> Iterator[Problem]:
     """Each named element that is needed for its own value: JSBSim would work it out without end."""
     needs = {name: [each for each in _needed(element) if each in named] for name, element in named.items()}
     for name, element in named.items():
