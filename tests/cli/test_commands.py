@@ -56,8 +56,8 @@ def test_no_command_at_all_gets_first_steps(called: Called) -> None:
 @pytest.mark.parametrize("name", TABLE)
 def test_the_examples_of_a_command_are_its_own(name: str) -> None:
     """Each can be parsed, and a file that is shipped by its name is there."""
-    assert TABLE[name].examples
-    for example in TABLE[name].examples:
+    assert TABLE[name].EXAMPLES
+    for example in TABLE[name].EXAMPLES:
         options = parses(example)
         assert options.command == TABLE[name].run
         for given in (getattr(options, key, "") for key in ("scenario", "sweep", "search")):
@@ -72,7 +72,7 @@ def parses(line: str) -> argparse.Namespace:
 
 def test_the_examples_are_shown(called: Called) -> None:
     status, out, _ = called("adopt", "--help")
-    assert status == 0 and out.endswith("".join(f"\n  {line}" for line in TABLE["adopt"].examples) + "\n")
+    assert status == 0 and out.endswith("".join(f"\n  {line}" for line in TABLE["adopt"].EXAMPLES) + "\n")
 
 
 def test_help_imports_nothing_heavy() -> None:

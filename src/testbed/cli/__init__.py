@@ -1,5 +1,9 @@
-"""The command line: a file for each command, named after it, with its arguments, its examples and what it does.
+"""The command line: a module for each command, named after it.
+
+Such a module has PURPOSE, one line of `--help`; EXAMPLES, lines as a user would type them; `arguments`, which gives its parser the
+arguments; and `run`, which carries it out with the parsed options and returns the exit status. It imports what it needs only when
+it runs, so that `--help` and `validate` stay quick.
 
 `parser` lists the commands, `commands` runs one and says in one line what goes wrong, `status` has the exit status. `command` has
-what commands share; `checked` reads and checks a scenario; `working` says on a terminal what takes long.
+what commands share; `working` says on a terminal what takes long.
 """

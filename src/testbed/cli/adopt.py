@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from testbed.cli.command import Command, add_out
+from testbed.cli.command import add_out
 from testbed.cli.status import MET
 from testbed.cli.working import working
 
+PURPOSE = "make an aircraft of a JSBSim model, in a folder of its own, and print its card"
+EXAMPLES = ("testbed adopt c172p", "testbed adopt ./my_model --out aircraft/mine")
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     meaning = "name of a model in the jsbsim package, such as c172p, or a model's folder"
     command.add_argument("model", help=meaning)
     add_out(command, "DIR", "folder to make (default: the model's name, here)")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Adopt a model into a folder; raises BadInput with what is missing."""
     from testbed.adoption import entry
     from testbed.adoption.files import FILE
@@ -25,11 +28,3 @@ def _run(options: Namespace) -> int:
     print(card)
     print(f"\nwrote {folder}; break it with: testbed run {folder / FILE}")
     return MET
-
-
-COMMAND = Command(
-    "make an aircraft of a JSBSim model, in a folder of its own, and print its card",
-    _arguments,
-    _run,
-    ("testbed adopt c172p", "testbed adopt ./my_model --out aircraft/mine"),
-)

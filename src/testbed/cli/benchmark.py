@@ -5,15 +5,23 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli import study, sweep
-from testbed.cli.command import Command, add_flying, add_junit, add_out, add_shard, whole_number
+from testbed.cli import study
+from testbed.cli.command import add_flying, add_junit, add_out, add_shard, whole_number
 from testbed.cli.interrupts import tidily
-from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
 
+PURPOSE = "compare controllers on flights that are drawn from a suite"
+EXAMPLES = (
+    "testbed benchmark --draws 100",
+    "testbed benchmark open --controller mine=my_controller.py:MyController --draws 200",
+    "testbed benchmark --controller default --controller 'blind={type: adaptive_inversion, ablate: [monitor]}'",
+    "testbed benchmark open --seed 7 --only 12 --controller default",
+    "testbed benchmark --verify entry.yaml --controller mine=my_controller.py:MyController",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     suite = "a shipped suite, or a suite's YAML file (default: open)"
     command.add_argument("suite", nargs="?", help=suite)
     add_out(command, "DIR", "folder to make (default: runs/benchmark-<suite>-<seed>)")
@@ -35,21 +43,18 @@ def _arguments(command: ArgumentParser) -> None:
     add_shard(command)
     add_flying(command)
     add_junit(command)
-    command.set_defaults(set=[])
+    command.set_defaults(set=[], variant=None, save_logs="none")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Fly a benchmark, one draw of it, or a part of an entry; as `study.run`."""
     from testbed.api import benchmark
 
     if options.verify is not None:
         return _verify(options)
-    if options.only is not None:
-        return _fly_only(options)
-    own = {"draws": options.draws, "word": options.word, "entry": options.entry}
-    if options.shard is not None:
-        return sweep.fly_shard(benchmark, options, options.suite or "open", "none", **own)
-    return study.run(benchmark, options, options.suite or "open", **own)
+    draws = options.draws if options.only is None else options.only + 1
+    own = {"draws": draws, "word": options.word, "entry": options.entry}
+    return study.run(benchmark, options, options.suite or "open", one="draw", **own)
 
 
 def _verify(options: Namespace) -> int:
@@ -67,42 +72,3 @@ def _verify(options: Namespace) -> int:
         )
     print("\n".join(lines))
     return MET if same else NOT_MET
-
-
-def _fly_only(options: Namespace) -> int:
-    """Fly one draw alone by every controller, tell each of its flights, and return the exit status."""
-    from testbed.api import benchmark
-    from testbed.api.sweep import fly_run
-    from testbed.flight.folder import refuse_existing
-    from testbed.studies.run import Options
-
-    plan, usual = benchmark.prepare(
-        options.suite or "open",
-        controllers=options.controller,
-        draws=options.only + 1,
-        seed=options.seed,
-        word=options.word,
-    )
-    folder = options.out or usual.with_name(f"{usual.name}-draw-{options.only}")
-    refuse_existing(folder)
-    how = Options(options.jobs, options.cluster, "none")
-    with tidily():
-        passed, flights = fly_run(plan, options.only, folder, how, figures=not options.no_plots)
-    for flight in flights:
-        print_verdict(flight)
-    print(f"wrote {folder}")
-    return MET if passed else NOT_MET
-
-
-COMMAND = Command(
-    "compare controllers on flights that are drawn from a suite",
-    _arguments,
-    _run,
-    (
-        "testbed benchmark --draws 100",
-        "testbed benchmark open --controller mine=my_controller.py:MyController --draws 200",
-        "testbed benchmark --controller default --controller 'blind={type: adaptive_inversion, ablate: [monitor]}'",
-        "testbed benchmark open --seed 7 --only 12 --controller default",
-        "testbed benchmark --verify entry.yaml --controller mine=my_controller.py:MyController",
-    ),
-)

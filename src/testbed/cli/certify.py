@@ -7,17 +7,23 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file, add_number, add_out, add_set
+from testbed.cli.command import add_file, add_number, add_out, add_set
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.cli.working import working
 from testbed.inputs.output_file import refuse_unwritable, written
 from testbed.inputs.problems import BadInput, Problem, collect
 
+PURPOSE = "say how wrong the input matrix of a scenario's design model may be"
+EXAMPLES = (
+    "testbed certify left_tail_fail.yaml",
+    "testbed certify my_scenario.yaml --error 0.2 --out certificate.json",
+)
+
 _ENDINGS = (".csv", ".json")
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "scenario")
     error = "relative error of all entries for which the bias of the estimates is bounded"
     add_number(command, "--error", 0.1, "FRACTION", error)
@@ -25,7 +31,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_set(command)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Certify a scenario, print the tables, and write the file that is asked for; raises BadInput with every problem at once."""
     problems: list[Problem] = [*_wrong_error(options.error), *_wrong_file(options.out)]
     with working("checking"):
@@ -57,14 +63,3 @@ def _wrong_file(out: Path | None) -> Iterator[Problem]:
         found: list[Problem] = []
         collect(found, lambda: refuse_unwritable(out))
         yield from found
-
-
-COMMAND = Command(
-    "say how wrong the input matrix of a scenario's design model may be",
-    _arguments,
-    _run,
-    (
-        "testbed certify left_tail_fail.yaml",
-        "testbed certify my_scenario.yaml --error 0.2 --out certificate.json",
-    ),
-)

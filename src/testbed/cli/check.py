@@ -5,17 +5,19 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.command import Command
 from testbed.cli.status import MET, NOT_MET
 
+PURPOSE = "test parts of your own against the contract of the shipped ones"
+EXAMPLES = ("testbed check my_parts.py",)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("files", type=Path, nargs="+", metavar="FILE.py", help="files as of --with")
     aircraft = "name or folder of the one that flies them (default: vtail)"
     command.add_argument("--aircraft", default="vtail", metavar="AIRCRAFT", help=aircraft)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Fly each part for some seconds and print what was found; raises BadInput for a file that has none."""
     from testbed.api.conformance import conformance
 
@@ -25,11 +27,3 @@ def _run(options: Namespace) -> int:
             kept &= not finding.wrong
             print(finding, flush=True)
     return MET if kept else NOT_MET
-
-
-COMMAND = Command(
-    "test parts of your own against the contract of the shipped ones",
-    _arguments,
-    _run,
-    ("testbed check my_parts.py",),
-)

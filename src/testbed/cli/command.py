@@ -1,33 +1,13 @@
-"""What a command of the command line is, and the arguments that several commands share.
-
-The module of a command imports what it needs only when it runs, so that `--help` and `validate` stay quick.
-"""
+"""The arguments that several commands share."""
 
 from __future__ import annotations
 
 import argparse
-from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
+from argparse import ArgumentParser
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from testbed.aircraft.shipped import data_root, shipped_files
-
-
-class Command(NamedTuple):
-    """One command.
-
-    Attributes:
-        purpose: what it is for, in one line of `--help`.
-        add_arguments: gives its parser the arguments.
-        run: carries it out with the parsed options and returns the exit status (see `status`).
-        examples: lines as a user would type them.
-    """
-
-    purpose: str
-    add_arguments: Callable[[ArgumentParser], None]
-    run: Callable[[Namespace], int]
-    examples: tuple[str, ...]
 
 
 def whole_number(text: str) -> int:
@@ -114,6 +94,19 @@ def add_many_flights(command: ArgumentParser) -> None:
 def add_shard(command: ArgumentParser, which: str = "fly every N-th run, from the K-th on") -> None:
     """`--shard`: a part of the runs."""
     command.add_argument("--shard", metavar="K/N", help=f"{which}; `testbed merge` joins the folders")
+
+
+def add_single_runs(command: ArgumentParser, logs: str) -> None:
+    """What a sweep and a matrix share: one run alone, the verdict as a file, and the logs that are kept, by default `logs`."""
+    command.add_argument(
+        "--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log"
+    )
+    variant = "with --only: fly only this one of the compared variants, into a run folder"
+    command.add_argument("--variant", metavar="LABEL", help=variant)
+    which = "logs to keep: none, failed or all (default: %(default)s)"
+    add_shard(command)
+    add_junit(command)
+    command.add_argument("--save-logs", default=logs, metavar="WHICH", help=which)
 
 
 def add_flying(command: ArgumentParser) -> None:

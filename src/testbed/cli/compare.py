@@ -5,22 +5,29 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.command import Command, add_out
+from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect
 
+PURPOSE = "flights side by side, or two sweeps with the same draws, in one page"
+EXAMPLES = (
+    "testbed compare runs/adaptive runs/pid",
+    "testbed compare runs/yesterday runs/today",
+    "testbed compare runs/my-sweep/17 runs/my-sweep/18 --out page.html",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     runs = "run folder, or a flight of a sweep: SWEEP/17; or two sweep folders, the earlier one first"
     command.add_argument("runs", type=Path, nargs="+", metavar="RUN", help=runs)
     page = "page to write, or folder to write comparison.html into (default: %(default)s)"
     add_out(command, "FILE", page, default=Path("runs/comparison.html"))
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print what differs between flights or two sweeps, and write their page. Raises BadInput."""
     if len(options.runs) == 2 and all((folder / "sweep.yaml").is_file() for folder in options.runs):
         return _sweeps(options.runs[0], options.runs[1], options.out)
@@ -70,15 +77,3 @@ def _sweeps(first: Path, second: Path, out: Path) -> int:
         print(line)
     print(f"wrote {file}")
     return NOT_MET if any(change.is_worse for change in changes) else MET
-
-
-COMMAND = Command(
-    "flights side by side, or two sweeps with the same draws, in one page",
-    _arguments,
-    _run,
-    (
-        "testbed compare runs/adaptive runs/pid",
-        "testbed compare runs/yesterday runs/today",
-        "testbed compare runs/my-sweep/17 runs/my-sweep/18 --out page.html",
-    ),
-)

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from testbed.cli.command import Command
 from testbed.cli.status import MET
 from testbed.inputs.problems import BadInput, Problem
+
+PURPOSE = "print the completion script of a shell"
+EXAMPLES = ("testbed completion bash > ~/.local/share/bash-completion/completions/testbed",)
 
 SHELLS = ("bash", "zsh", "fish")
 _ZSH_HEAD = "#compdef "
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("shell", choices=SHELLS)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print the script that a shell has to source; raises BadInput if argcomplete is not installed."""
     try:
         from argcomplete.shell_integration import shellcode
@@ -28,11 +30,3 @@ def _run(options: Namespace) -> int:
         lines = lines[1:]
     print("".join(lines), end="")
     return MET
-
-
-COMMAND = Command(
-    "print the completion script of a shell",
-    _arguments,
-    _run,
-    ("testbed completion bash > ~/.local/share/bash-completion/completions/testbed",),
-)

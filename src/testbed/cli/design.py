@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file, add_number, add_out, add_set, number
+from testbed.cli.command import add_file, add_number, add_out, add_set, number
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
@@ -19,8 +19,14 @@ if TYPE_CHECKING:
     from testbed.gains.design import Design
     from testbed.gains.verdict import ActuatorDesign
 
+PURPOSE = "gains of the estimator from a scenario's noise, as YAML"
+EXAMPLES = (
+    "testbed design mems_turbulence.yaml",
+    "testbed design my_scenario.yaml --within 2 --out gains.yaml",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "scenario")
     add_number(command, "--deviation", 0.1, "SIGMA", "tolerated standard deviation of an estimate")
     add_number(command, "--false-alarms", 0.1, "RATE", "tolerated false alarms per hour")
@@ -31,7 +37,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_set(command)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print gains for a scenario and what they are expected to do.
 
     Raises BadInput when the scenario or a tolerance cannot be used, or the file cannot be written.
@@ -120,11 +126,3 @@ def _write(path: Path, text: str) -> None:
     with tidily(), written(path) as stream:
         stream.write(text.encode())
     print(f"wrote {path}")
-
-
-COMMAND = Command(
-    "gains of the estimator from a scenario's noise, as YAML",
-    _arguments,
-    _run,
-    ("testbed design mems_turbulence.yaml", "testbed design my_scenario.yaml --within 2 --out gains.yaml"),
-)

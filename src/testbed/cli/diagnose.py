@@ -5,13 +5,19 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.command import Command, add_out
+from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
 
+PURPOSE = "which actuator failed, when and how much, from a flight's log"
+EXAMPLES = (
+    "testbed diagnose runs/left-tail-failure",
+    "testbed diagnose flight.csv --model ./my_aircraft --columns columns.yaml --out diagnosis",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     command.add_argument(
         "log", type=Path, help="run folder; or, with --columns, a CSV, Parquet, .BIN or .ulg file"
     )
@@ -22,7 +28,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_out(command, "DIR", "folder to write diagnosis.csv, summary.json and report.html into")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print the story, and write the folder; NOT_MET where something was found. Raises BadInput."""
     from testbed.logs.entry import diagnose
 
@@ -32,14 +38,3 @@ def _run(options: Namespace) -> int:
     if options.out is not None:
         print(f"wrote {options.out}")
     return NOT_MET if found.findings else MET
-
-
-COMMAND = Command(
-    "which actuator failed, when and how much, from a flight's log",
-    _arguments,
-    _run,
-    (
-        "testbed diagnose runs/left-tail-failure",
-        "testbed diagnose flight.csv --model ./my_aircraft --columns columns.yaml --out diagnosis",
-    ),
-)

@@ -5,11 +5,17 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.command import Command, add_origin, add_out
+from testbed.cli.command import add_origin, add_out
 from testbed.cli.status import MET
 
+PURPOSE = "write a flight for another program"
+EXAMPLES = (
+    "testbed export runs/left-tail-failure --to kml",
+    "testbed export runs/left-tail-failure --to mat --out flight.mat",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     command.add_argument(
         "run", type=Path, help="run folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
@@ -20,7 +26,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_origin(command, "for formats that show a place")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Write a run in a format of `reporting.export.TABLE`, by default into its folder; raises BadInput."""
     from testbed.api.load import load_flight
     from testbed.reporting.export import export, format_of
@@ -40,14 +46,3 @@ def _usual(run: Path, name: str, ending: str) -> Path:
     from testbed.studies.folder.logs import logs_of
 
     return run.parent / f"{name}-{logs_of(run)[0].stem}{ending}"
-
-
-COMMAND = Command(
-    "write a flight for another program",
-    _arguments,
-    _run,
-    (
-        "testbed export runs/left-tail-failure --to kml",
-        "testbed export runs/left-tail-failure --to mat --out flight.mat",
-    ),
-)

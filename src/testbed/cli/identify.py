@@ -9,7 +9,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.command import Command, add_out
+from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
@@ -19,8 +19,16 @@ if TYPE_CHECKING:
     from testbed.aircraft.description import Aircraft
     from testbed.aircraft.design_model import DesignModel
 
+PURPOSE = "find an aircraft's design model and store it in the aircraft's folder"
+EXAMPLES = (
+    "testbed identify ./my_aircraft",
+    "testbed identify vtail --check",
+    "testbed identify ./my_aircraft --write",
+    "testbed identify vtail --log runs/turns --log runs/climbs --out flown",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("aircraft", help="name, or path of a folder such as ./name")
     check = "only compare with the stored model; exit status 1 if it differs"
     command.add_argument("--check", action="store_true", help=check)
@@ -37,7 +45,7 @@ def _arguments(command: ArgumentParser) -> None:
     )
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     if options.write and (options.check or options.log):
         raise BadInput([Problem("changes the model", "--write", expected="no --check and no --log")])
     if options.log:
@@ -126,16 +134,3 @@ def _authority_table(aircraft: Aircraft, model: DesignModel) -> str:
         )
     lines.append(f"given up from the start: {', '.join(released) or 'nothing'}")
     return "\n".join(lines)
-
-
-COMMAND = Command(
-    "find an aircraft's design model and store it in the aircraft's folder",
-    _arguments,
-    _run,
-    (
-        "testbed identify ./my_aircraft",
-        "testbed identify vtail --check",
-        "testbed identify ./my_aircraft --write",
-        "testbed identify vtail --log runs/turns --log runs/climbs --out flown",
-    ),
-)

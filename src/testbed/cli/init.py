@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.aircraft.shipped import data_root
-from testbed.cli.command import Command
 from testbed.cli.schema import TABLE, text_of
 from testbed.cli.status import MET
 from testbed.common.writing import write
@@ -16,20 +15,23 @@ from testbed.inputs.problems import BadInput, Problem
 if TYPE_CHECKING:
     from testbed.aircraft.description import Aircraft
 
+PURPOSE = "make a small project: a scenario, a sweep, controllers, and schemas for editors"
+EXAMPLES = ("testbed init my_project", "testbed init my_project --aircraft ./my_aircraft")
+
 TEMPLATES = Path(__file__).parent / "template"
 """The files that a new project begins with, beside the examples of controllers."""
-EXAMPLES = ("my_controller.py", "pilot.pl", "pilot.c", "testbed_controller.h")
+_CONTROLLERS = ("my_controller.py", "pilot.pl", "pilot.c", "testbed_controller.h")
 _USUAL = "vtail"
 """The aircraft of a project for which none is chosen."""
 _CLIMB_M = 10
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("folder", type=Path, help="new or empty folder")
     command.add_argument("--aircraft", metavar="AIRCRAFT", help="name or folder of the one that is flown")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Fill a new or empty folder; raises BadInput if it holds something, cannot be written, or there is no such aircraft."""
     from testbed.aircraft.description import load_aircraft
 
@@ -42,7 +44,7 @@ def _run(options: Namespace) -> int:
         for file in sorted(each for each in TEMPLATES.rglob("*") if each.is_file()):
             text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
             write(folder / file.relative_to(TEMPLATES), text, within=folder)
-        for name in EXAMPLES:
+        for name in _CONTROLLERS:
             write(folder / name, (data_root() / "examples" / name).read_bytes())
         for kind in TABLE:
             write(folder / "schemas" / f"{kind}.json", text_of(kind), within=folder)
@@ -62,11 +64,3 @@ def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
     for word, fact in facts.items():
         text = text.replace(word, fact)
     return text
-
-
-COMMAND = Command(
-    "make a small project: a scenario, a sweep, controllers, and schemas for editors",
-    _arguments,
-    _run,
-    ("testbed init my_project", "testbed init my_project --aircraft ./my_aircraft"),
-)

@@ -10,10 +10,17 @@ from itertools import takewhile
 from pathlib import Path
 
 from testbed.aircraft import shipped
-from testbed.cli.command import Command
 from testbed.cli.status import MET
 from testbed.common.docstrings import first_line
 from testbed.inputs.problems import BadInput, Problem
+
+PURPOSE = "list the names that scenarios and commands can use, with their meanings"
+EXAMPLES = (
+    "testbed list",
+    "testbed list failures",
+    "testbed list fmu pilot.fmu",
+    "testbed list own --with my_parts.py",
+)
 
 Entries = list[tuple[str, str]]
 """(name, meaning) of each entry."""
@@ -83,7 +90,7 @@ def _fmu(options: Namespace) -> Entries:
     return shown(file, mapping, tuple(load_aircraft(options.aircraft).actuators))
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("what", nargs="?", choices=[*TABLE, _FMU], help="default: everything, but for fmu")
     command.add_argument("files", nargs="*", metavar="FILE", help="of fmu: the FMU, and a mapping for it")
     command.add_argument(
@@ -91,7 +98,7 @@ def _arguments(command: ArgumentParser) -> None:
     )
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     if options.files and options.what != _FMU:
         raise BadInput([Problem("takes no file", f"list {options.what}", expected=_FMU_EXPECTED)])
     for what in [options.what] if options.what else TABLE:
@@ -103,16 +110,3 @@ def _run(options: Namespace) -> int:
         for name, meaning in entries:
             print(f"  {name:<{width}}{meaning}")
     return MET
-
-
-COMMAND = Command(
-    "list the names that scenarios and commands can use, with their meanings",
-    _arguments,
-    _run,
-    (
-        "testbed list",
-        "testbed list failures",
-        "testbed list fmu pilot.fmu",
-        "testbed list own --with my_parts.py",
-    ),
-)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file, add_set, whole_number
+from testbed.cli.command import add_file, add_set, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.cli.working import working
@@ -19,10 +19,13 @@ from testbed.inputs.problems import BadInput, Problem, collect
 if TYPE_CHECKING:
     from testbed.reporting.flight import ReportedFlight
 
+PURPOSE = "fly in real time in a page, and break it by hand"
+EXAMPLES = ("testbed live", "testbed live stuck_ruddervator.yaml --controller my_controller.py:MyController")
+
 _DEFAULT = "left_tail_fail.yaml"
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "scenario", nargs="?", default=_DEFAULT)
     own = "fly a controller class of your own in place of the scenario's"
     command.add_argument("--controller", metavar="FILE.py:CLASS", help=own)
@@ -32,7 +35,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_set(command)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Serve until Ctrl-C; raises BadInput with every problem at once."""
     if find_spec("websockets") is None:
         raise BadInput(
@@ -78,11 +81,3 @@ def _keep(flight: ReportedFlight, controller: str | None) -> tuple[Path, str]:
     folder = write(flight, None, partial(add_report, flight))
     words = ["testbed", "run", str(folder / "scenario.yaml")]
     return folder, shlex.join(words if controller is None else [*words, "--controller", controller])
-
-
-COMMAND = Command(
-    "fly in real time in a page, and break it by hand",
-    _arguments,
-    _run,
-    ("testbed live", "testbed live stuck_ruddervator.yaml --controller my_controller.py:MyController"),
-)

@@ -6,11 +6,26 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
 
-from testbed.cli import sweep
-from testbed.cli.command import Command, add_file, add_many_flights, add_out, add_set, number, whole_number
+from testbed.cli import study
+from testbed.cli.command import (
+    add_file,
+    add_many_flights,
+    add_out,
+    add_set,
+    add_single_runs,
+    number,
+    whole_number,
+)
+
+PURPOSE = "break every actuator in every way, and compare with what is expected"
+EXAMPLES = (
+    "testbed matrix vtail",
+    "testbed matrix mems_turbulence.yaml --failures stuck effectiveness --weather calm light --seeds 3",
+    "testbed matrix vtail --baseline expected.csv --controller pid --controller adaptive_inversion",
+)
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "broken", metavar="SCENARIO|AIRCRAFT")
     add_out(command, "DIR", "folder to make (default: runs/<name>)")
     failures = (
@@ -27,7 +42,7 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--at", type=number, metavar="S", help="when each failure starts [s]")
     baseline = "what is expected of the cells: YAML, or the matrix.csv of an earlier one (default: all held)"
     command.add_argument("--baseline", type=Path, metavar="FILE", help=baseline)
-    sweep.add_single_runs(command, logs="all")
+    add_single_runs(command, logs="all")
     add_many_flights(command)
     add_set(command)
 
@@ -38,21 +53,9 @@ def _value(text: str) -> Any:
     return parse(text).tree
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Fly a matrix, or one run of it; as `study.run`."""
     from testbed.api import matrix
 
     own = {key: getattr(options, key) for key in ("failures", "severities", "weather", "seeds", "baseline")}
-    return sweep.run(matrix, options, options.broken, at_s=options.at, **own)
-
-
-COMMAND = Command(
-    "break every actuator in every way, and compare with what is expected",
-    _arguments,
-    _run,
-    (
-        "testbed matrix vtail",
-        "testbed matrix mems_turbulence.yaml --failures stuck effectiveness --weather calm light --seeds 3",
-        "testbed matrix vtail --baseline expected.csv --controller pid --controller adaptive_inversion",
-    ),
-)
+    return study.run(matrix, options, options.broken, at_s=options.at, **own)

@@ -11,16 +11,19 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from testbed.cli import study
-from testbed.cli.command import Command, add_junit, add_mixed
+from testbed.cli.command import add_junit, add_mixed
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, Ended
 from testbed.cli.working import working
 from testbed.inputs.bucket import fetch, is_address
 
+PURPOSE = "join the shards of a study into one folder"
+EXAMPLES = ("testbed merge runs/shard-1 runs/shard-2 --out runs/whole",)
+
 _SHOWN = 10
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     folders = "folders of the shards, or where --copy-to put them: s3://bucket/folder"
     command.add_argument("folders", nargs="+", metavar="FOLDER", help=folders)
     command.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to make")
@@ -29,7 +32,7 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Join the folders; raises BadInput when they do not belong together, and Ended, with what is missing, when runs are."""
     from testbed.api.load import kind_of
     from testbed.api.merge import merge
@@ -69,11 +72,3 @@ def _unfinished(kind: str, out: Path, missing: Sequence[int | str]) -> str:
     what = "searches" if kind == "search" else "runs"
     named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")
     return f"{len(missing)} {what} are missing: {named}; {how} flies them"
-
-
-COMMAND = Command(
-    "join the shards of a study into one folder",
-    _arguments,
-    _run,
-    ("testbed merge runs/shard-1 runs/shard-2 --out runs/whole",),
-)

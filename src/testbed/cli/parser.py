@@ -8,15 +8,15 @@ from collections.abc import Iterator
 from importlib import import_module
 from typing import Any, NoReturn
 
-from testbed.cli.command import Command, add_parts
+from testbed.cli.command import add_parts
 from testbed.inputs.problems import did_you_mean, guess
 
 _COMMANDS = (
     "run", "live", "sweep", "search", "matrix", "benchmark", "merge", "report", "compare", "export", "validate", "identify",
     "diagnose", "design", "adopt", "certify", "list", "schema", "check", "init", "completion",
 )  # fmt: skip
-TABLE: dict[str, Command] = {name: import_module(f"testbed.cli.{name}").COMMAND for name in _COMMANDS}
-"""The commands by their names, in the order of `--help`."""
+TABLE = {name: import_module(f"testbed.cli.{name}") for name in _COMMANDS}
+"""The modules of the commands (see `testbed.cli`), in the order of `--help`."""
 _WITHOUT_PARTS = ("identify", "adopt", "init", "completion", "check")
 """Commands for which parts of the user's own mean nothing."""
 
@@ -41,13 +41,13 @@ def parser() -> argparse.ArgumentParser:
     for name, command in TABLE.items():
         one = commands.add_parser(
             name,
-            help=command.purpose,
-            description=command.purpose,
-            epilog="\n  ".join(["examples:", *command.examples]),
+            help=command.PURPOSE,
+            description=command.PURPOSE,
+            epilog="\n  ".join(["examples:", *command.EXAMPLES]),
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         one.set_defaults(command=command.run)
-        command.add_arguments(one)
+        command.arguments(one)
         if name not in _WITHOUT_PARTS:
             add_parts(one)
     return top

@@ -1,4 +1,4 @@
-"""`testbed run`, and `testbed report` of a run folder: fly one scenario, write its folder, print its verdict."""
+"""`testbed run`: fly one scenario, write its folder, print its verdict."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file, add_junit, add_origin, add_out, add_set
+from testbed.cli.command import add_file, add_junit, add_origin, add_out, add_set
 from testbed.cli.interrupts import later, tidily
-from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
+from testbed.cli.status import MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word
 from testbed.cli.working import erase, working
 from testbed.inputs.problems import BadInput, Problem, collect
@@ -26,8 +26,14 @@ if TYPE_CHECKING:
     from testbed.reporting.flightgear import Viewer
     from testbed.scenario.load import Scenario
 
+PURPOSE = "fly one scenario"
+EXAMPLES = (
+    "testbed run left_tail_fail.yaml",
+    "testbed run my_scenario.yaml --set controller.type=pid --set failures.0.at_s=8 --out runs/pid",
+)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "scenario")
     add_out(command, "DIR", "run folder to make (default: runs/<name>)")
     command.add_argument("--no-plots", action="store_true", help="draw no figures")
@@ -44,7 +50,7 @@ def _arguments(command: ArgumentParser) -> None:
     add_set(command)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Fly one scenario into a run folder; raises BadInput with every problem at once."""
     from testbed.flight.folder import refuse_existing, refuse_unwritable
     from testbed.reporting import junit
@@ -85,18 +91,6 @@ def _compiling(seconds: float) -> None:
     """Say before the first flight how long it takes [s]."""
     erase()
     print(f"compiling the control law for the first flight: about {seconds:.0f} s, once", file=sys.stderr)
-
-
-def report(folder: Path) -> int:
-    """Draw the figures and write the report of a run folder again; returns the exit status."""
-    from testbed.flight.folder import load
-    from testbed.reporting.attempt import add_report
-
-    flight = load(folder)
-    with working("drawing and writing"), tidily():
-        shown = add_report(flight, folder)
-    print_verdict(flight)
-    return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
 def _controller(options: Namespace) -> Callable[[Setup], object] | None:
@@ -188,14 +182,3 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
         print(f"  not judged, as the controller does not say it: {'; '.join(unjudged[:_NAMED])}{more}")
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)
-
-
-COMMAND = Command(
-    "fly one scenario",
-    _arguments,
-    _run,
-    (
-        "testbed run left_tail_fail.yaml",
-        "testbed run my_scenario.yaml --set controller.type=pid --set failures.0.at_s=8 --out runs/pid",
-    ),
-)

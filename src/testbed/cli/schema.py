@@ -9,13 +9,16 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from testbed.cli.command import Command, add_out
+from testbed.cli.command import add_out
 from testbed.cli.status import MET
 from testbed.common.docstrings import field_docstrings
 from testbed.inputs.output_file import refuse_unwritable, written
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
+
+PURPOSE = "print the JSON schema of a kind of file, for editors that check YAML"
+EXAMPLES = ("testbed schema scenario --out scenario.json",)
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -49,12 +52,12 @@ def model_of(kind: str) -> type[BaseModel]:
     return model
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     command.add_argument("kind", choices=TABLE)
     add_out(command, "FILE", "write it into this file")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print a schema, or write it into a file, also over an earlier schema; raises BadInput if that cannot be done."""
     if options.out is None:
         print(text_of(options.kind), end="")
@@ -122,11 +125,3 @@ def _models(kind: Any, seen: set[type] | None = None) -> Iterator[type[BaseModel
         return
     for part in get_args(kind):
         yield from _models(part, seen)
-
-
-COMMAND = Command(
-    "print the JSON schema of a kind of file, for editors that check YAML",
-    _arguments,
-    _run,
-    ("testbed schema scenario --out scenario.json",),
-)

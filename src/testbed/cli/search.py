@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from testbed.cli import study, sweep
-from testbed.cli.command import Command, add_file, add_many_flights, add_out, add_set, add_shard, whole_number
+from testbed.cli import study
+from testbed.cli.command import add_file, add_many_flights, add_out, add_set, add_shard, whole_number
+
+PURPOSE = "the smallest failure that breaks a requirement, or how likely one is"
+EXAMPLES = (
+    "testbed search smallest_gust.yaml",
+    "testbed search my_sweep.yaml --goal probability --budget 2000",
+)
 
 
-def _arguments(command: ArgumentParser) -> None:
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "search")
     add_out(command, "DIR", "search folder to make (default: runs/<name>)")
     goal = "smallest or probability; with it the file may be a sweep's"
@@ -18,23 +24,11 @@ def _arguments(command: ArgumentParser) -> None:
     add_shard(command, "run every N-th of the searches, one for each variant and option, from the K-th on")
     add_many_flights(command)
     add_set(command)
+    command.set_defaults(only=None, variant=None, save_logs="none", junit=None)
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     from testbed.api import search
 
     own = {"goal": options.goal, "budget": options.budget}
-    if options.shard is not None:
-        return sweep.fly_shard(search, options, options.search, "none", **own)
     return study.run(search, options, options.search, **own)
-
-
-COMMAND = Command(
-    "the smallest failure that breaks a requirement, or how likely one is",
-    _arguments,
-    _run,
-    (
-        "testbed search smallest_gust.yaml",
-        "testbed search my_sweep.yaml --goal probability --budget 2000",
-    ),
-)

@@ -5,47 +5,86 @@ from __future__ import annotations
 from argparse import Namespace
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from testbed.cli.interrupts import tidily
+from testbed.cli.interrupts import later, tidily
+from testbed.cli.run import print_verdict
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended
 from testbed.cli.working import working
-from testbed.inputs.problems import BadInput
+from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
     from testbed.api.study import Kind
     from testbed.studies.plan import Plan
-
-
-def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", **own: Any) -> int:
-    """Carry out the study of a file with the options of `command.add_many_flights`, and return the exit status.
-
-    `own` are the options of this kind alone. Raises BadInput when nothing can be flown, and Ended when it ends early.
-    """
     from testbed.studies.run import Options
 
-    junit = getattr(options, "junit", None)  # which kinds with a verdict take
-    how = Options(
-        options.jobs, options.cluster, save_logs, cluster_wait_s=options.cluster_wait, mixed=options.mixed
-    )
-    shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
-    plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
-    if junit is not None:
-        from testbed.reporting.junit import refuse
 
-        refuse(junit, folder)
-    with tidily(), copied(folder, options):
-        with flying():
+def run(kind: Kind, options: Namespace, file: str, *, one: str = "run", **own: Any) -> int:
+    """Carry out the study of a file, or one run or a shard of it, as the options say; returns the exit status.
+
+    `own` are the options of this kind alone, and `one` is what it calls a run. Raises BadInput when nothing can be flown, and
+    Ended when it ends early.
+    """
+    from testbed.reporting import junit
+    from testbed.studies.run import Options
+
+    if options.only is None and options.variant is not None:
+        raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
+    how = Options(
+        options.jobs, options.cluster, options.save_logs, shard=options.shard, cluster_wait_s=options.cluster_wait,
+        mixed=options.mixed,
+    )  # fmt: skip
+    own |= {"seed": options.seed, "controllers": options.controller}
+    if options.only is not None:
+        plan, usual = kind.prepare(file, None, options.set, **own)
+        return _fly_only(plan, options, how, usual.with_name(f"{usual.name}-{one}-{options.only}"))
+    plan, folder = kind.prepare(file, options.out, options.set, resume=options.resume, **own)
+    if options.shard is not None:  # which `testbed merge` joins with the others
+        with tidily(), _copied(folder, options), _flying():
+            flights = kind.fly(plan, folder, how, resume=options.resume)
+        print(flights)
+        print(f"wrote {folder}, shard {options.shard}")
+        return MET
+    if options.junit is not None:
+        junit.refuse(options.junit, folder)
+    with tidily(), _copied(folder, options):
+        with _flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)
         with _writing(folder):
             summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
-            if junit is not None:
-                write_junit(kind, plan, folder, summary, junit)
+            if options.junit is not None:
+                write_junit(kind, plan, folder, summary, options.junit)
     status = told(kind, summary)
     print(flights)
     print(f"wrote {folder}")
     return status
+
+
+def _fly_only(plan: Plan, options: Namespace, how: Options, usual: Path) -> int:
+    """Fly one run alone, tell each of its flights, and return the exit status."""
+    from testbed.api.sweep import fly_run
+    from testbed.common.files import slug
+    from testbed.flight.folder import refuse_existing, refuse_unwritable
+    from testbed.reporting import junit
+
+    one, variant = options.only, options.variant
+    which = f"-{slug(variant, otherwise='variant')}" if variant else ""
+    folder = options.out or usual.with_name(f"{usual.name}{which}")
+    refuse_existing(folder)
+    if options.junit is not None:
+        junit.refuse(options.junit, folder)
+    with later():
+        refuse_unwritable(folder)
+    with tidily():
+        passed, flights = fly_run(plan, one, folder, how, variant=variant, figures=not options.no_plots)
+    for flight in flights:
+        print_verdict(flight)
+    if options.junit is not None:
+        junit.write(options.junit, plan.name, chain.from_iterable(map(junit.tests_of, flights)))
+    print(f"wrote {folder}")
+    return MET if passed else NOT_MET
 
 
 def write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], file: Path) -> None:
@@ -53,13 +92,6 @@ def write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], fi
     from testbed.reporting import junit
 
     junit.write(file, plan.name, kind.tests(plan, folder, summary))
-
-
-def report(kind: Kind, folder: Path) -> int:
-    """Write what was found in a study's folder again; returns the exit status."""
-    with working("drawing and writing"), tidily():
-        summary = kind.rebuild(folder)
-    return told(kind, summary)
 
 
 def told(kind: Kind, summary: dict[str, Any]) -> int:
@@ -70,7 +102,7 @@ def told(kind: Kind, summary: dict[str, Any]) -> int:
 
 
 @contextmanager
-def flying() -> Iterator[None]:
+def _flying() -> Iterator[None]:
     """For the block that flies: raises Ended when it stops before the last flight."""
     from testbed.studies.run import Stopped
 
@@ -82,7 +114,7 @@ def flying() -> Iterator[None]:
 
 
 @contextmanager
-def copied(folder: Path, options: Namespace) -> Iterator[None]:
+def _copied(folder: Path, options: Namespace) -> Iterator[None]:
     """For the block that fills a study's folder: copies it to `--copy-to` when it ends, also early.
 
     What is to be resumed is fetched from there if the folder is not here, as on another machine. Raises Ended where it cannot

@@ -7,17 +7,20 @@ from functools import partial
 
 from testbed.aircraft.shipped import find_scenario
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file
+from testbed.cli.command import add_file
 from testbed.cli.status import MET
 from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem, collect
 
+PURPOSE = "check scenarios, studies and suites without flying"
+EXAMPLES = ("testbed validate my_scenario.yaml my_sweep.yaml",)
 
-def _arguments(command: ArgumentParser) -> None:
+
+def arguments(command: ArgumentParser) -> None:
     add_file(command, "files", nargs="+", metavar="FILE")
 
 
-def _run(options: Namespace) -> int:
+def run(options: Namespace) -> int:
     """Print the valid files; raises BadInput with all problems of the others."""
     problems: list[Problem] = []
     with working("checking"):
@@ -52,11 +55,3 @@ def valid(file: str) -> object:
     from testbed.api import sweep
 
     return sweep.prepare(file)
-
-
-COMMAND = Command(
-    "check scenarios, studies and suites without flying",
-    _arguments,
-    _run,
-    ("testbed validate my_scenario.yaml my_sweep.yaml",),
-)
