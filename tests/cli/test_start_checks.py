@@ -8,7 +8,8 @@ import sys
 
 import pytest
 
-from testbed.cli import start_checks, status
+from testbed import __main__ as start
+from testbed.cli import status
 
 resource = pytest.importorskip("resource")
 
@@ -22,19 +23,19 @@ def limited(megabytes: int, *arguments: str) -> subprocess.CompletedProcess[str]
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("megabytes", [50, 400, start_checks.NEEDED_MB - 1])
+@pytest.mark.parametrize("megabytes", [50, 400, start.NEEDED_MB - 1])
 def test_too_little_is_refused(megabytes: int) -> None:
     done = limited(megabytes, "list")
     assert done.returncode == status.ENDED_EARLY
     assert done.stderr == (
-        f"the address space is limited to {megabytes} MB, of {start_checks.NEEDED_MB} needed: raise it by `ulimit -v`\n"
+        f"the address space is limited to {megabytes} MB, of {start.NEEDED_MB} needed: raise it by `ulimit -v`\n"
     )
 
 
 @pytest.mark.nightly
 def test_what_is_called_enough_is_enough(tmp_path) -> None:  # type: ignore[no-untyped-def]
     done = limited(
-        start_checks.NEEDED_MB, "run", "scenarios/left_propeller_fail.yaml", "--out", str(tmp_path / "run")
+        start.NEEDED_MB, "run", "scenarios/left_propeller_fail.yaml", "--out", str(tmp_path / "run")
     )
     assert done.returncode == status.MET, done.stderr
 
@@ -54,7 +55,7 @@ def test_numbers_that_numba_takes_are_taken(text: str | None, monkeypatch: pytes
     monkeypatch.delenv("NUMBA_NUM_THREADS", raising=False)
     if text is not None:
         monkeypatch.setenv("NUMBA_NUM_THREADS", text)
-    assert start_checks.wrong_setting() == ""
+    assert start.wrong_setting() == ""
 
 
 _NO_THREAD = """\

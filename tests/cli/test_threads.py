@@ -9,11 +9,11 @@ import pytest
 
 LEFT = """\
 import threading, time
-from testbed.cli import threads
-threads._WAIT_S = 0.2
+from testbed.cli import commands
+commands._WAIT_S = 0.2
 threading.Thread(target=time.sleep, args=({seconds},), name="theirs").start()
 print("flown")
-raise SystemExit(threads.end_despite_threads(1))
+raise SystemExit(commands.end_despite_threads(1))
 """
 
 

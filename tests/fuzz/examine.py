@@ -176,7 +176,7 @@ def _write(files: dict[str, str], root: Path) -> None:
 
 
 def _scenario(fly: bool, begin: Callable[[str], None]) -> str:
-    from testbed.cli.checked import checked
+    from testbed.cli.command import checked
     from testbed.scenario.load import dump, load_scenario
     from testbed.simulation import fly as flown
 

@@ -40,7 +40,7 @@ def found(tmp_path: Path, text: str, *known: object) -> list[Problem]:
     file.write_text(text)
     signals, metrics, properties = [*known, *(SIGNALS, METRICS, PROPERTIES)[len(known) :]]
     scenario = load_scenario(file)
-    return unknown_names(scenario, load_aircraft(scenario.aircraft), signals, metrics, properties)
+    return unknown_names(scenario, load_aircraft(scenario.aircraft), signals, metrics, properties, signals)
 
 
 def test_known_names_are_accepted(tmp_path: Path) -> None:

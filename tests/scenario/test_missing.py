@@ -8,8 +8,7 @@ import pytest
 
 from testbed.inputs import overrides
 from testbed.inputs.yaml_source import parse
-from testbed.scenario.load import scenario_from
-from testbed.scenario.missing import made
+from testbed.scenario.load import default_at, scenario_from
 from testbed.scenario.model import Scenario
 
 TEXT = "name: a\naircraft: vtail\nduration_s: 1\n"
@@ -27,7 +26,7 @@ TEXT = "name: a\naircraft: vtail\nduration_s: 1\n"
     ],
 )
 def test_what_is_made(path: tuple[str, ...], there: Any) -> None:
-    assert made(path) == there
+    assert default_at(path) == there
 
 
 @pytest.mark.parametrize(
@@ -39,6 +38,6 @@ def test_what_is_made(path: tuple[str, ...], there: Any) -> None:
 )
 def test_a_setting_of_something_that_the_file_does_not_have(setting: str, said: Any) -> None:
     source = parse(TEXT)
-    overrides.apply(source, [setting], made)
+    overrides.apply(source, [setting], default_at)
     scenario = scenario_from(source)
     assert said(scenario) and type(scenario.controller) is type(Scenario.model_fields["controller"].default)

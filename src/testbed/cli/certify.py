@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator
 from pathlib import Path
 
-from testbed.cli.checked import checked
-from testbed.cli.command import add_file, add_number, add_out, add_set
-from testbed.cli.interrupts import tidily
+from testbed.cli.command import add_file, add_number, add_out, add_set, checked, write_out
 from testbed.cli.status import MET
 from testbed.cli.working import working
-from testbed.inputs.output_file import refuse_unwritable, written
+from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect
 
 PURPOSE = "say how wrong the input matrix of a scenario's design model may be"
@@ -33,7 +30,12 @@ def arguments(command: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Certify a scenario, print the tables, and write the file that is asked for; raises BadInput with every problem at once."""
-    problems: list[Problem] = [*_wrong_error(options.error), *_wrong_file(options.out)]
+    problems: list[Problem] = []
+    if not 0.0 < options.error < 1.0:
+        what = f"is {options.error:g}"
+        problems.append(Problem(what, "--error", expected="a fraction between 0 and 1, such as 0.1"))
+    if options.out is not None:
+        collect(problems, lambda: _refuse_file(options.out))
     with working("checking"):
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     if scenario is None or problems:
@@ -45,21 +47,11 @@ def run(options: Namespace) -> int:
         certificate = certify(scenario, options.error)
     print(text(certificate))
     if options.out is not None:
-        with tidily(), written(options.out) as stream:
-            stream.write(FORMATS[options.out.suffix](certificate).encode())
-        print(f"wrote {options.out}")
+        write_out(options.out, FORMATS[options.out.suffix](certificate))
     return MET
 
 
-def _wrong_error(error: float) -> Iterator[Problem]:
-    if not 0.0 < error < 1.0:
-        yield Problem(f"is {error:g}", "--error", expected="a fraction between 0 and 1, such as 0.1")
-
-
-def _wrong_file(out: Path | None) -> Iterator[Problem]:
-    if out is not None and out.suffix not in _ENDINGS:
-        yield Problem("has no known ending", str(out), expected=" or ".join(_ENDINGS))
-    elif out is not None:
-        found: list[Problem] = []
-        collect(found, lambda: refuse_unwritable(out))
-        yield from found
+def _refuse_file(out: Path) -> None:
+    if out.suffix not in _ENDINGS:
+        raise BadInput([Problem("has no known ending", str(out), expected=" or ".join(_ENDINGS))])
+    refuse_unwritable(out)

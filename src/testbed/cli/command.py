@@ -1,13 +1,20 @@
-"""The arguments that several commands share."""
+"""What several commands share: their arguments, the check of a scenario, and the file of `--out`."""
 
 from __future__ import annotations
 
 import argparse
+import sys
 from argparse import ArgumentParser
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from testbed.aircraft.shipped import data_root, shipped_files
+from testbed.cli.interrupts import tidily
+from testbed.inputs.output_file import written
+
+if TYPE_CHECKING:
+    from testbed.scenario.load import Scenario
 
 
 def whole_number(text: str) -> int:
@@ -130,3 +137,23 @@ def add_mixed(command: ArgumentParser) -> None:
     """`--mixed`: flights of several environments."""
     mixed = "allow other versions or processors than the study was begun with, and mark those flights in the table"
     command.add_argument("--mixed", action="store_true", help=mixed)
+
+
+def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
+    """The scenario in a file, completely checked; conditions that its controller is not made for are printed on stderr."""
+    from testbed.scenario import conditions
+    from testbed.scenario.load import load_scenario
+    from testbed.simulation.check import check
+
+    scenario = load_scenario(file, settings)
+    check(scenario)
+    for warning in conditions.warnings(scenario):
+        print(f"WARNING: {warning}", file=sys.stderr)
+    return scenario
+
+
+def write_out(file: Path, text: str) -> None:
+    """Write what `--out` asks for, whole or not at all, and say so; raises BadInput when it cannot be written."""
+    with tidily(), written(file) as stream:
+        stream.write(text.encode())
+    print(f"wrote {file}")

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
+import time
 import traceback
 from argparse import Namespace
 from collections.abc import Sequence
@@ -21,6 +23,7 @@ from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
 """Environment variable with which a defect of the program shows its traceback."""
+_WAIT_S = 3.0
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -86,3 +89,27 @@ def _in_words(error: Exception) -> str:
     place = f"{Path(last.filename).name}:{last.lineno}"
     words = " ".join(str(error).split())
     return f"a defect of testbed: {type(error).__name__} at {place}: {words}; {_TRACEBACK}=1 shows where it comes from"
+
+
+def end_despite_threads(status: int) -> int:
+    """The exit status, if the process can end by itself; else it says so and ends the process with this status.
+
+    A thread that a user's controller leaves running, and that is no daemon, has some seconds: Python would wait for it for ever.
+    """
+    until = time.monotonic() + _WAIT_S
+    for thread in _left():
+        thread.join(max(0.0, until - time.monotonic()))
+    if left := _left():
+        names = ", ".join(thread.name for thread in left)
+        print(f"WARNING: a thread was left running, and is ended: {names}", file=sys.stderr, flush=True)
+        try:
+            sys.stdout.flush()
+        except OSError:  # as `main` has said already
+            give_up_stdout()
+        os._exit(status)
+    return status
+
+
+def _left() -> list[threading.Thread]:
+    ours = threading.current_thread()
+    return [thread for thread in threading.enumerate() if not thread.daemon and thread is not ours]

@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from testbed.cli.checked import checked
-from testbed.cli.command import add_file, add_number, add_out, add_set, number
-from testbed.cli.interrupts import tidily
+from testbed.cli.command import add_file, add_number, add_out, add_set, checked, number, write_out
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
-from testbed.inputs.output_file import refuse_unwritable, written
+from testbed.inputs.output_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from testbed.gains.design import Design
@@ -59,7 +56,7 @@ def run(options: Namespace) -> int:
     print("\n".join(_sentences(found)))
     print(yaml_of(found), end="")
     if options.out is not None:
-        _write(options.out, yaml_of(found))
+        write_out(options.out, yaml_of(found))
     return MET if found.possible else NOT_MET
 
 
@@ -120,9 +117,3 @@ def _flagged(one: ActuatorDesign) -> str:
         return found
     latest = "never" if math.isinf(one.latest_s) else f"{one.latest_s:.2f}"
     return f"{found} ({one.soonest_s:.2f} to {latest})"
-
-
-def _write(path: Path, text: str) -> None:
-    with tidily(), written(path) as stream:
-        stream.write(text.encode())
-    print(f"wrote {path}")

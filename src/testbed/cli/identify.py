@@ -13,6 +13,7 @@ from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
+from testbed.inputs.output_file import writing
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -65,12 +66,9 @@ def _adjust(name: str) -> None:
     from testbed.aircraft.model_files.agreement import adjust
 
     aircraft = load_aircraft(name)
-    try:
-        with tidily():
-            for line in adjust(aircraft):
-                print(line)
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(aircraft.folder))]) from None
+    with tidily(), writing(aircraft.folder):
+        for line in adjust(aircraft):
+            print(line)
 
 
 def _from_logs(options: Namespace) -> int:
@@ -105,11 +103,8 @@ def _identify(name: str, *, check: bool) -> bool:
         same = file.is_file() and load_design_model(file).agrees_with(model)
         print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
         return same
-    try:
-        with tidily():
-            model.save(file)
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    with tidily(), writing(file):
+        model.save(file)
     print(f"wrote {file}")
     return True
 

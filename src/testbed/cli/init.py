@@ -10,6 +10,7 @@ from testbed.aircraft.shipped import data_root
 from testbed.cli.schema import TABLE, text_of
 from testbed.cli.status import MET
 from testbed.common.writing import write
+from testbed.inputs.output_file import writing
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def run(options: Namespace) -> int:
 
     folder, choice = options.folder, options.aircraft or _USUAL
     aircraft = load_aircraft(choice)
-    try:
+    with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
@@ -48,8 +49,6 @@ def run(options: Namespace) -> int:
             write(folder / name, (data_root() / "examples" / name).read_bytes())
         for kind in TABLE:
             write(folder / "schemas" / f"{kind}.json", text_of(kind), within=folder)
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
     print(f"wrote {folder}: README.md says what to run")
     return MET
 

@@ -9,8 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.checked import checked
-from testbed.cli.command import add_file, add_set, whole_number
+from testbed.cli.command import add_file, add_set, checked, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.cli.working import working

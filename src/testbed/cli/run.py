@@ -11,8 +11,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.checked import checked
-from testbed.cli.command import add_file, add_junit, add_origin, add_out, add_set
+from testbed.cli.command import add_file, add_junit, add_origin, add_out, add_set, checked
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word

@@ -9,10 +9,10 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from testbed.cli.command import add_out
+from testbed.cli.command import add_out, write_out
 from testbed.cli.status import MET
 from testbed.common.docstrings import field_docstrings
-from testbed.inputs.output_file import refuse_unwritable, written
+from testbed.inputs.output_file import refuse_unwritable
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -63,9 +63,7 @@ def run(options: Namespace) -> int:
         print(text_of(options.kind), end="")
         return MET
     refuse_unwritable(options.out, _is_schema)
-    with written(options.out) as stream:
-        stream.write(text_of(options.kind).encode())
-    print(f"wrote {options.out}")
+    write_out(options.out, text_of(options.kind))
     return MET
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from functools import partial
+from importlib import import_module
 
 from testbed.aircraft.shipped import find_scenario
-from testbed.cli.checked import checked
-from testbed.cli.command import add_file
+from testbed.cli.command import add_file, checked
 from testbed.cli.status import MET
 from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem, collect
@@ -35,23 +35,8 @@ def run(options: Namespace) -> int:
 def valid(file: str) -> object:
     """The scenario, the study or the suite in a file, checked."""
     from testbed.inputs import yaml_source
-    from testbed.inputs.kinds import is_matrix, is_search, is_sweep
+    from testbed.inputs.kinds import study_in
 
     tree = yaml_source.read(find_scenario(file)).tree
-    if isinstance(tree, dict) and "suite" in tree:
-        from testbed.api import benchmark
-
-        return benchmark.prepare(file)
-    if is_matrix(tree):
-        from testbed.api import matrix
-
-        return matrix.prepare(file)
-    if is_search(tree):
-        from testbed.api import search
-
-        return search.prepare(file)
-    if not is_sweep(tree):
-        return checked(file)
-    from testbed.api import sweep
-
-    return sweep.prepare(file)
+    kind = "benchmark" if "suite" in tree else study_in(tree)
+    return import_module(f"testbed.api.{kind}").prepare(file) if kind else checked(file)

@@ -17,9 +17,8 @@ from testbed.aircraft.shipped import find_aircraft
 from testbed.inputs import overrides
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.yaml_source import Source
-from testbed.scenario import missing
 from testbed.scenario.flown import altered
-from testbed.scenario.load import changed, load_scenario, scenario_from
+from testbed.scenario.load import changed, default_at, load_scenario, scenario_from
 from testbed.scenario.model import Scenario
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
@@ -98,7 +97,7 @@ class Episodes:
             return load_scenario(self.scenario, self.set)
         tree = {**_DEFAULTS, "aircraft": self.aircraft, **copy.deepcopy(dict(self.scenario))}
         source = Source("scenario", tree)
-        overrides.apply(source, self.set, missing.made)
+        overrides.apply(source, self.set, default_at)
         return scenario_from(source)
 
     @cached_property

@@ -21,25 +21,28 @@ def refuse_unwritable(file: Path, is_ours: Callable[[Path], bool] = lambda _: Fa
     Args:
         is_ours: whether a regular file that is there may be replaced, because it was made by the same command.
     """
-    try:
+    if "\0" in str(file):
+        raise BadInput([Problem("has a NUL character in its name", repr(str(file)))])
+    with writing(file):
         if os.path.lexists(file) and not (file.is_file() and is_ours(file)):
-            what, expected = "exists already", "a file that does not exist yet"
-            raise BadInput([Problem(what, str(file), expected=expected)])
+            raise BadInput([Problem("exists already", str(file), expected="a file that does not exist yet")])
         with suppress(FileNotFoundError):
             os.lstat(file)  # a name that is too long
         file.parent.mkdir(parents=True, exist_ok=True)
         TemporaryFile(dir=file.parent).close()
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
-    except ValueError:
-        raise BadInput([Problem("has a NUL character in its name", repr(str(file)))]) from None
 
 
 @contextmanager
 def written(file: Path) -> Iterator[BinaryIO]:
     """A stream that takes the place of `file` when the block ends without an error; raises BadInput if it cannot."""
+    with writing(file), replacing(file) as stream:
+        yield stream
+
+
+@contextmanager
+def writing(place: Path) -> Iterator[None]:
+    """For a block that writes a file or a folder: raises BadInput, with `place`, where that cannot be done."""
     try:
-        with replacing(file) as stream:
-            yield stream
+        yield
     except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(place))]) from None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from testbed.air.config import PARTS
 from testbed.air.noise import window_of
@@ -32,46 +32,39 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
         yield from _noise(scenario)
         yield from _failures(scenario, aircraft)
         if scenario.reference is not None:
-            yield from _known(scenario.reference, list(references.TABLE), "reference", ("reference",))
+            yield from _known(scenario.reference, references.TABLE, "reference", ("reference",))
 
 
 def unknown_names(
     scenario: Scenario,
     aircraft: Aircraft,
-    signals: Iterable[str],
-    metrics: Iterable[str],
+    signals: Collection[str],
+    metrics: Collection[str],
     properties: Mapping[str, bool],
-    in_flight: Iterable[str] | None = None,
+    in_flight: Collection[str],
 ) -> list[Problem]:
     """Unknown names of properties, signals and metrics in failures and requirements, each with its place in the file.
 
     Args:
         signals: columns of the flight's log.
-        in_flight: those that are known while it is flown, for which a failure can wait; default all.
+        in_flight: those that are known while it is flown, for which a failure can wait.
         metrics: names of all metrics.
         properties: those of the loaded JSBSim model, and whether each can be written; not used without failures.
     """
-    logged = list(signals)
-    issues = [
-        *_names(scenario, logged, list(metrics), list(logged if in_flight is None else in_flight)),
-        *_properties(scenario, aircraft, properties),
-    ]
+    issues = list(_names(scenario, signals, metrics, in_flight))
+    if (
+        scenario.failures
+    ):  # to save time: a model may have a thousand properties, and this is done for each flight
+        writable = {same_property(name): can for name, can in properties.items()}
+        for i, failure in enumerate(scenario.failures):
+            issues += _unwritable(failure, aircraft, writable, ("failures", i))
     return [scenario.source.problem(*issue) for issue in issues]
-
-
-def _properties(scenario: Scenario, aircraft: Aircraft, known: Mapping[str, bool]) -> Iterator[Issue]:
-    """Properties that a failure would hold but that the JSBSim model does not have, or that cannot be written."""
-    if not scenario.failures:
-        return  # to save time: a model may have a thousand properties, and this is done for each flight
-    writable = {same_property(name): can for name, can in known.items()}
-    for i, failure in enumerate(scenario.failures):
-        yield from _unwritable(failure, aircraft, writable, ("failures", i))
 
 
 def _unwritable(
     failure: Failure, aircraft: Aircraft, writable: Mapping[str, bool], path: TreePath
 ) -> Iterator[Issue]:
-    """Properties that one failure cannot hold."""
+    """Properties that a failure would hold but that the JSBSim model does not have, or that cannot be written."""
     for name in failure.properties(aircraft):
         here = (*path, "set", name) if name in getattr(failure, "set", {}) else path
         can = writable.get(same_property(name))
@@ -85,7 +78,7 @@ def failure_issues(
     failure: Failure,
     aircraft: Aircraft,
     rate_hz: float,
-    signals: Iterable[str],
+    signals: Collection[str],
     properties: Mapping[str, bool],
     path: TreePath,
 ) -> Iterator[Issue]:
@@ -98,13 +91,13 @@ def failure_issues(
     if any(issue.path[-1] == "actuator" for issue in issues):
         return
     if failure.when is not None:
-        yield from _known(failure.when.signal, list(signals), "signal", (*path, "when", "signal"))
+        yield from _known(failure.when.signal, signals, "signal", (*path, "when", "signal"))
     writable = {same_property(name): can for name, can in properties.items()}
     yield from _unwritable(failure, aircraft, writable, path)
 
 
 def _names(
-    scenario: Scenario, signals: list[str], metrics: list[str], in_flight: list[str]
+    scenario: Scenario, signals: Collection[str], metrics: Collection[str], in_flight: Collection[str]
 ) -> Iterator[Issue]:
     """Unknown signals in `when` of failures and in requirements, and unknown metrics in requirements."""
     for i, failure in enumerate(scenario.failures):
@@ -123,7 +116,7 @@ def _names(
                 yield from _known(name, signals, "signal", (*here, "formula"))
 
 
-def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[Issue]:
+def _known(word: str, known: Collection[str], kind: str, path: TreePath) -> Iterator[Issue]:
     if word not in known:
         yield unknown(path, f"unknown {kind} {word!r}", word, known, own=kind in ("metric", "reference"))
 
@@ -147,7 +140,8 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
 
 
 def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
-    """Path and time [s] of everything that begins in the flight; durations that it must be longer than are among them."""
+    """Path and time [s] of everything that begins in the flight; durations that it must be longer than are among them,
+    such as what formulas look ahead."""
     air = scenario.atmosphere
     yield from _given(("failures",), scenario.failures, "at_s")
     yield from _given(("sensors", "faults"), scenario.sensors.faults, "at_s")
@@ -157,11 +151,6 @@ def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
         yield ("atmosphere", "noise", "from_s"), air.noise.from_s
     keys = ("from_s", "settles_by_s", "never_for_longer_than_s")
     yield from _given(("requirements",), scenario.requirements, *keys)
-    yield from _horizons(scenario)
-
-
-def _horizons(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
-    """Path and length [s] of what formulas look ahead; none of them may be as long as the flight."""
     for i, requirement in enumerate(scenario.requirements):
         if requirement.formula is not None:
             yield ("requirements", i, "formula"), requirement.parsed.horizon_s
@@ -203,19 +192,15 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     if initial.altitude_m < GROUND_M:
         what = f"{initial.altitude_m:g} m is on or below the ground, which is at sea level"
         yield Issue(("initial", "altitude_m"), what, f"at least {GROUND_M:g}")
-    limits = [
-        ("airspeed_m_s", initial.airspeed_m_s, envelope.airspeed_min_m_s, envelope.airspeed_max_m_s),
-        ("altitude_m", initial.altitude_m, envelope.altitude_min_m, None),
-    ]
-    for name, value, low, high in limits:
+    for name, low, high in (
+        ("airspeed_m_s", envelope.airspeed_min_m_s, envelope.airspeed_max_m_s),
+        ("altitude_m", envelope.altitude_min_m, None),
+    ):
+        value, what = getattr(initial, name), f"is outside {aircraft.name}'s envelope"
         if low is not None and value < low:
-            yield Issue(
-                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at least {low:g}"
-            )
+            yield Issue(("initial", name), f"{value:g} {what}", f"at least {low:g}")
         if high is not None and value > high:
-            yield Issue(
-                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}"
-            )
+            yield Issue(("initial", name), f"{value:g} {what}", f"at most {high:g}")
 
 
 def _glide(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from testbed.air.config import Atmosphere, Gust
 from testbed.aircraft.changes import ChangedAircraft, load_with_changes, name_in
@@ -18,11 +18,10 @@ from testbed.controllers.config import settings_of
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.kinds import refuse_other
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, TreePath
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.scenario import checks as scenario_checks
-from testbed.scenario import missing
 from testbed.scenario.model import Command, CommandRates, Initial, Scenario
 
 __all__ = [
@@ -45,14 +44,14 @@ def load_scenario(
     """
     source = yamlfile.read(find_scenario(path))
     refuse_other(source, "scenario")
-    overrides.apply(source, settings, missing.made)
+    overrides.apply(source, settings, default_at)
     return scenario_from(source, with_aircraft=with_aircraft)
 
 
 def changed(scenario: Scenario, settings: Mapping[str, Any]) -> Scenario:
     """The scenario with other values at these dotted paths; raises BadInput with every problem found."""
     source = yamlfile.parsed(dump(scenario), scenario.name)
-    overrides.apply(source, settings, missing.made)
+    overrides.apply(source, settings, default_at)
     return scenario_from(source)
 
 
@@ -77,6 +76,25 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     scenario = validated(Scenario, source, lambda s: scenario_checks.check(s, aircraft), stand_ins)
     scenario._source = source
     return scenario
+
+
+def default_at(path: TreePath) -> dict[str, Any] | list[Any]:
+    """The default where a file has no value, as far as the rest of a dotted path that leads on into it needs it.
+
+    A list with its default entries, of which one is then replaced; settings of one of several types with their default type;
+    else an empty mapping, which validation completes.
+    """
+    kind: type = Scenario
+    default: Any = None
+    for part in path:
+        fields = kind.model_fields if issubclass(kind, BaseModel) else {}
+        default = fields[part].get_default(call_default_factory=True) if part in fields else None
+        kind = type(default)
+    if isinstance(default, tuple):
+        return list(default)
+    if isinstance(default, BaseModel) and "type" in type(default).model_fields:
+        return {"type": default.type}  # type: ignore[attr-defined] # which each of its types has
+    return {}
 
 
 def dump(scenario: Scenario) -> str:

@@ -12,8 +12,7 @@ from testbed.controllers.config import settings_of
 from testbed.controllers.user.own import OwnController
 from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
-from testbed.scenario.load import Scenario, scenario_from
-from testbed.scenario.missing import made
+from testbed.scenario.load import Scenario, default_at, scenario_from
 from testbed.studies.record import Task as Task
 
 TYPE = "controller.type"
@@ -55,7 +54,7 @@ class Builder:
         for path, value in values.items():
             if not self._of_another_controller(path, values):
                 place = self.places.get(path, "sweep")
-                set_value(source, path.split("."), copy.deepcopy(value), place, made)
+                set_value(source, path.split("."), copy.deepcopy(value), place, default_at)
         source.tree["seed"] = seed
         return source
 

@@ -15,7 +15,7 @@ from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.shipped import find_scenario
 from testbed.controllers.user.own import OwnController
 from testbed.inputs import yaml_source as yamlfile
-from testbed.inputs.kinds import is_sweep, refuse_other
+from testbed.inputs.kinds import refuse_other, study_in
 from testbed.inputs.problems import BadInput, guess
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
@@ -42,7 +42,7 @@ def load_search(
     With `goal` it may be a sweep's file: of its keys, those are used that a search has too.
     """
     source = yamlfile.read(find_scenario(path))
-    if goal is None or not is_sweep(source.tree):
+    if goal is None or not study_in(source.tree):
         refuse_other(source, "search")
     if goal is not None:
         _become(source, goal)
@@ -54,7 +54,7 @@ def load_search(
 
 def _become(source: Source, goal: Goal) -> None:
     """Set the goal; leave out of a sweep's file what a search does not have."""
-    if "goal" not in source.tree and is_sweep(source.tree):
+    if "goal" not in source.tree and study_in(source.tree):
         for key in set(Sweep.model_fields) - set(Study.model_fields) - {"cases"}:
             source.tree.pop(key, None)
     source.tree["goal"] = goal
