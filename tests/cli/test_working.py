@@ -13,7 +13,7 @@ from command_line import ROOT
 
 PROGRAM = """
 import sys, time
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 with working("flying"):
     {work}
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,6 @@ from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.user.own import own_controllers
 from testbed.inputs.received import believed, refuse_links
 from testbed.reporting.attempt import attempt
-from testbed.reporting.junit import Test
 from testbed.reporting.words import count
 from testbed.studies.checks import check
 from testbed.studies.drawing.builder import TYPE
@@ -122,7 +121,7 @@ def prepare(
     return plan, folder_of(plan, out)
 
 
-fly = fly_sweep
+fly, tests = fly_sweep, tests_of_matrix
 
 
 def finish(
@@ -152,11 +151,6 @@ def _write_pages(plan: MatrixPlan, found: Mapping[str, Any], folder: Path) -> No
                 write_kept_page(flight, log)
 
 
-def tests(plan: MatrixPlan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
-    """A test of each cell, for `--junit`."""
-    return tests_of_matrix(plan, summary, folder)
-
-
 def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`."""
     refuse_blocked(folder)
@@ -173,14 +167,11 @@ def plan_of(folder: Path) -> MatrixPlan:
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:
     """As `Kind.answer`: how many cells came out how, and each that is not as expected."""
     counts = ", ".join(f"{number} {result}" for result, number in summary["counts"].items())
-    return [f"{count(len(summary['cells']), 'cell')}: {counts}", *_unexpected(summary)]
-
-
-def _unexpected(summary: Mapping[str, Any]) -> Iterator[str]:
+    lines = [f"{count(len(summary['cells']), 'cell')}: {counts}"]
     for against in ("worse", "better"):
-        for one in summary["cells"]:
-            if one["against"] == against:
-                yield f"{against} than expected: {_said(one)}"
+        unexpected = [one for one in summary["cells"] if one["against"] == against]
+        lines += [f"{against} than expected: {_said(one)}" for one in unexpected]
+    return lines
 
 
 def _said(one: Mapping[str, Any]) -> str:

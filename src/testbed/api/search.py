@@ -54,14 +54,12 @@ class SearchResult:
     @property
     def distance(self) -> float | None:
         """Distance of the nearest failure from the origin, in standard deviations; None if none was found."""
-        distance: float | None = self.summary["distance"]
-        return distance
+        return self.summary["distance"]
 
     @property
     def probability(self) -> dict[str, Any] | None:
         """{estimate, low, high, coefficient_of_variation, ...} of a search for a probability."""
-        probability: dict[str, Any] | None = self.summary["probability"]
-        return probability
+        return self.summary["probability"]
 
     @property
     def table(self) -> pd.DataFrame:

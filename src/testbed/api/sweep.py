@@ -15,7 +15,6 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
-from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.words import passing
 from testbed.studies import summary
@@ -115,7 +114,7 @@ def prepare(
     return plan, folder
 
 
-fly, plan_of = fly_sweep, reading.load_plan
+fly, plan_of, tests = fly_sweep, reading.load_plan, tests_of_sweep
 
 
 def finish(
@@ -141,11 +140,6 @@ def _controllers(folder: Path) -> dict[str, Any]:
     with store.reading(folder) as stored:
         digests = stored.inputs.get("controllers_sha256")
     return {"controllers_sha256": digests} if digests else {}
-
-
-def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
-    """A test of each flight, for `--junit`."""
-    return tests_of_sweep(plan, reading.load(folder), folder)
 
 
 def _write_worst_pages(found: dict[str, Any], folder: Path) -> None:
@@ -245,16 +239,10 @@ def _job_of_folder(plan: Plan, how: Options) -> Job:
 def _numbered(plan: Plan, label: str) -> int:
     """The number of a variant, by its label or by what file names have of it; raises BadInput when there is none."""
     labels = [variant.label for variant in plan.variants]
-    in_files = [in_file_names(known) for known in labels]
-    if label in in_files:
-        return in_files.index(label)
-    if label not in labels:
-        expected, suggestion = guess(label, labels)
-        problem = Problem(
-            f"there is no variant {label!r}", "--variant", expected=expected, suggestion=suggestion
-        )
-        raise BadInput([problem])
-    return labels.index(label)
+    for names in ([in_file_names(known) for known in labels], labels):
+        if label in names:
+            return names.index(label)
+    raise BadInput([Problem(f"there is no variant {label!r}", "--variant", None, "", *guess(label, labels))])
 
 
 def report_run(path: Path) -> list[tuple[Flight, Path]]:
@@ -269,10 +257,7 @@ def report_run(path: Path) -> list[tuple[Flight, Path]]:
         flight = logs.read(log)
         made.append((flight, write_kept_page(flight, log)))
     sweep = made[0][1].parent.parent
-    if (
-        file_of(sweep).stem == "sweep"
-        and (sweep / "report.html").is_file()
-        and (sweep / "summary.json").is_file()
-    ):
+    has_report = all((sweep / name).is_file() for name in ("report.html", "summary.json"))
+    if has_report and file_of(sweep).stem == "sweep":
         attempt("the report", lambda: write_sweep_report(sweep))
     return made

@@ -5,5 +5,5 @@ arguments; and `run`, which carries it out with the parsed options and returns t
 it runs, so that `--help` and `validate` stay quick.
 
 `parser` lists the commands, `commands` runs one and says in one line what goes wrong, `status` has the exit status. `command` has
-what commands share; `working` says on a terminal what takes long.
+what commands share; `terminal` prints, and says what takes long.
 """

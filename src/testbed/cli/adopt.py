@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 
 from testbed.cli.command import add_out
 from testbed.cli.status import MET
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 
 PURPOSE = "make an aircraft of a JSBSim model, in a folder of its own, and print its card"
 EXAMPLES = ("testbed adopt c172p", "testbed adopt ./my_model --out aircraft/mine")

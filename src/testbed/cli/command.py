@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 from argparse import ArgumentParser
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,20 +18,15 @@ if TYPE_CHECKING:
     from testbed.scenario.load import Scenario
 
 
-def whole_number(text: str) -> int:
-    """The value of an option that is a whole number."""
+def _read(kind: Callable[[str], Any], expected: str, text: str) -> Any:
     try:
-        return int(text)
+        return kind(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"is {text!r}, expected a whole number") from None
+        raise argparse.ArgumentTypeError(f"is {text!r}, expected {expected}") from None
 
 
-def number(text: str) -> float:
-    """The value of an option that is a number."""
-    try:
-        return float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"is {text!r}, expected a number") from None
+whole_number, number = partial(_read, int, "a whole number"), partial(_read, float, "a number")
+"""The values of options that are numbers."""
 
 
 def add_file(command: ArgumentParser, name: str, **more: Any) -> None:
@@ -77,12 +73,6 @@ def add_set(command: ArgumentParser) -> None:
     """`--set`: changes of a scenario's settings."""
     meaning = "change a setting by its dotted path"
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=meaning)
-
-
-def add_parts(command: ArgumentParser) -> None:
-    """`--with`: parts of the user's own."""
-    meaning = "use the failures, sensors, metrics, panels and references of your own in this file; repeatable"
-    command.add_argument("--with", dest="parts", type=Path, action="append", metavar="FILE.py", help=meaning)
 
 
 def add_many_flights(command: ArgumentParser) -> None:

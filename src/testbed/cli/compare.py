@@ -8,7 +8,7 @@ from pathlib import Path
 from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from testbed.cli.command import add_file, add_number, add_out, add_set, checked, number, write_out
 from testbed.cli.status import MET, NOT_MET
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.output_file import refuse_unwritable
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from pathlib import Path
 from testbed.cli.command import add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 
 PURPOSE = "which actuator failed, when and how much, from a flight's log"
 EXAMPLES = (

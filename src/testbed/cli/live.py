@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from testbed.cli.command import add_file, add_set, checked, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem, collect
 
 if TYPE_CHECKING:

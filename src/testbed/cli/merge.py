@@ -14,7 +14,7 @@ from testbed.cli import study
 from testbed.cli.command import add_junit, add_mixed
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, Ended
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.bucket import fetch, is_address
 
 PURPOSE = "join the shards of a study into one folder"

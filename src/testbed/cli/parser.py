@@ -6,9 +6,9 @@ import argparse
 import re
 from collections.abc import Iterator
 from importlib import import_module
+from pathlib import Path
 from typing import Any, NoReturn
 
-from testbed.cli.command import add_parts
 from testbed.inputs.problems import did_you_mean, guess
 
 _COMMANDS = (
@@ -19,6 +19,7 @@ TABLE = {name: import_module(f"testbed.cli.{name}") for name in _COMMANDS}
 """The modules of the commands (see `testbed.cli`), in the order of `--help`."""
 _WITHOUT_PARTS = ("identify", "adopt", "init", "completion", "check")
 """Commands for which parts of the user's own mean nothing."""
+_PARTS = "use the failures, sensors, metrics, panels and references of your own in this file; repeatable"
 
 FIRST_STEPS = """\
 testbed breaks the actuators of a small aircraft in flight, and shows what its controller does about it.
@@ -49,7 +50,9 @@ def parser() -> argparse.ArgumentParser:
         one.set_defaults(command=command.run)
         command.arguments(one)
         if name not in _WITHOUT_PARTS:
-            add_parts(one)
+            one.add_argument(
+                "--with", dest="parts", type=Path, action="append", metavar="FILE.py", help=_PARTS
+            )
     return top
 
 

@@ -11,7 +11,7 @@ from testbed.cli.interrupts import tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.study import told
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem
 
 PURPOSE = "rebuild figures and report of the folder of a run or a study"

@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING
 from testbed.cli.command import add_file, add_junit, add_origin, add_out, add_set, checked
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import MET, NOT_MET
-from testbed.cli.terminal import print_verdict_word
-from testbed.cli.working import erase, working
+from testbed.cli.terminal import erase, print_verdict_word, working
 from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.reporting.numbers import number
 

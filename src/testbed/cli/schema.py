@@ -48,8 +48,7 @@ def text_of(kind: str) -> str:
 def model_of(kind: str) -> type[BaseModel]:
     """The model of one kind of file, which is imported when it is asked for."""
     module, name = TABLE[kind]
-    model: type[BaseModel] = getattr(import_module(module), name)
-    return model
+    return getattr(import_module(module), name)
 
 
 def arguments(command: ArgumentParser) -> None:
@@ -75,6 +74,8 @@ def _is_schema(file: Path) -> bool:
 
 def schema_of(model: type[BaseModel]) -> dict[str, Any]:
     """The JSON schema of a model, with the meanings that the docstrings of its fields give."""
+    from testbed.sensors.settings import PRESETS
+
     schema = {"$schema": DRAFT, **model.model_json_schema(by_alias=True)}
     named = {each.__name__: each for each in _models(model)}
     for name, part in [(model.__name__, schema), *schema.get("$defs", {}).items()]:
@@ -83,17 +84,11 @@ def schema_of(model: type[BaseModel]) -> dict[str, Any]:
     if model.__name__ == "Scenario":  # by default the aircraft's reference
         schema["required"] = [key for key in schema["required"] if key != "initial"]
         schema["$defs"]["Initial"].pop("required")
-    short = _short_forms()
+    # What a model also takes in place of a mapping, and turns into one before pydantic sees it.
+    short: dict[str, Any] = {"PerKind": {"type": "number"}, "Sensors": {"enum": list(PRESETS)}}
     for name in short.keys() & schema.get("$defs", {}).keys():
         schema["$defs"][name] = {"anyOf": [short[name], schema["$defs"][name]]}
     return schema
-
-
-def _short_forms() -> dict[str, dict[str, Any]]:
-    """What a model also takes in place of a mapping, and turns into one before pydantic sees it."""
-    from testbed.sensors.settings import PRESETS
-
-    return {"PerKind": {"type": "number"}, "Sensors": {"enum": list(PRESETS)}}
 
 
 def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:

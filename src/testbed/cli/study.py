@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended
-from testbed.cli.working import working
+from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:

@@ -43,28 +43,16 @@ def read_bytes(path: str | Path, most: int, expected: str) -> bytes:
         raise BadInput([Problem("has a NUL character in its name", repr(file), expected=expected)])
     try:
         # O_NONBLOCK, because opening a pipe otherwise waits until somebody writes to it.
-        handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
-        try:
-            _refuse_other_kinds(os.fstat(handle).st_mode, file, expected)
-            return _contents(handle, most, file, expected)
-        finally:
-            os.close(handle)
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as stream:
+            if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
+                raise BadInput([Problem("is a device or a pipe", file, expected=expected)])
+            content = stream.read(most + 1)
     except FileNotFoundError:
         raise BadInput([Problem("there is no such file", file)]) from None
+    except IsADirectoryError:
+        raise BadInput([Problem("is a folder", file, expected=expected)]) from None
     except OSError as error:
         raise BadInput([Problem(f"cannot be read: {error.strerror}", file)]) from None
-
-
-def _refuse_other_kinds(mode: int, file: str, expected: str) -> None:
-    if stat.S_ISDIR(mode):
-        raise BadInput([Problem("is a folder", file, expected=expected)])
-    if not stat.S_ISREG(mode):
-        raise BadInput([Problem("is a device or a pipe", file, expected=expected)])
-
-
-def _contents(handle: int, most: int, file: str, expected: str) -> bytes:
-    with os.fdopen(os.dup(handle), "rb") as stream:
-        content = stream.read(most + 1)
     if len(content) > most:
         size = f"{most / MEGABYTE:g} MB"
         raise BadInput([Problem(f"has more than {size}", file, expected=f"{expected} of at most {size}")])

@@ -19,10 +19,6 @@ Made = Callable[[TreePath], dict[str, Any] | list[Any]]
 """Gives what is put at a path where the tree has nothing, so that a setting can lead on into it."""
 
 
-def _mapping(_: TreePath) -> dict[str, Any]:
-    return {}
-
-
 class Option(str):
     """A KEY=VALUE that was given as an option of its own, as `--budget 100`, and is called so in problems."""
 
@@ -33,7 +29,7 @@ def place_of(setting: str) -> str:
     return f"--{key} {value}" if isinstance(setting, Option) else f"--set {setting}"
 
 
-def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any], missing: Made = _mapping) -> None:
+def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any], missing: Made = lambda _: {}) -> None:
     """Apply each KEY=VALUE, or each value by its KEY, to the tree in turn; problems are added to `source.problems`."""
     if isinstance(overrides, Mapping):
         for key, value in overrides.items():
@@ -59,7 +55,7 @@ def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any], missing:
         set_value(source, parts, value.tree, place, missing)
 
 
-def set_value(source: Source, parts: list[str], value: Any, place: str, missing: Made = _mapping) -> None:
+def set_value(source: Source, parts: list[str], value: Any, place: str, missing: Made = lambda _: {}) -> None:
     """Set the value at a path; what is missing on the way is made. Problems are added to `source.problems`.
 
     Args:
@@ -75,8 +71,8 @@ def set_value(source: Source, parts: list[str], value: Any, place: str, missing:
     for i, part in enumerate(parts):
         last = i == len(parts) - 1
         if isinstance(node, list):
-            index = _index(part, node)
-            if index is None:
+            index = int(part) if part.isascii() and part.isdigit() else len(node)
+            if index >= len(node):
                 what, expected = f"has no entry {part}", _indices(node)
                 source.problems.append(Problem(what, place, path=dotted(path), expected=expected))
                 return
@@ -110,10 +106,6 @@ def _indices(items: list[Any]) -> str:
     if len(items) < 2:
         return "0, its only entry" if items else "no index, the list is empty"
     return f"an index from 0 to {len(items) - 1}"
-
-
-def _index(part: str, items: list[Any]) -> int | None:
-    return int(part) if part.isascii() and part.isdigit() and int(part) < len(items) else None
 
 
 def _forget(source: Source, path: TreePath, place: str) -> None:

@@ -32,7 +32,8 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     if kind == "missing":
         return Issue(path, "is missing")
     if kind == "extra_forbidden":
-        return unknown(path, "unknown key", str(path[-1]), _keys(annotation))
+        known = annotation.model_fields if _is_model(annotation) else ()
+        return unknown(path, "unknown key", str(path[-1]), known)
     if kind.startswith("union_tag"):
         here = (*path, str(context["discriminator"]).strip("'"))
         if kind == "union_tag_not_found":
@@ -111,7 +112,7 @@ def _branch(annotation: Any, part: str | int) -> Any:
         if Tag(str(part)) in getattr(member, "__metadata__", ()):
             return _unwrap(member)
     for member in map(_unwrap, get_args(annotation)):
-        if isinstance(member, type) and issubclass(member, BaseModel):
+        if _is_model(member):
             tags = [get_args(field.annotation) for field in member.model_fields.values()]
             if any(part in tag for tag in tags):
                 return member
@@ -120,13 +121,12 @@ def _branch(annotation: Any, part: str | int) -> Any:
 
 def _inside(annotation: Any, part: str | int) -> Any:
     """Type of the value at a key or index of a value of this type."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+    if _is_model(annotation):
         field = annotation.model_fields.get(str(part))
         return field.annotation if field else None
     arguments = [a for a in get_args(annotation) if a is not Ellipsis]
     return arguments[-1] if arguments else None
 
 
-def _keys(annotation: Any) -> list[str]:
-    is_model = isinstance(annotation, type) and issubclass(annotation, BaseModel)
-    return list(annotation.model_fields) if is_model else []
+def _is_model(annotation: Any) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, BaseModel)

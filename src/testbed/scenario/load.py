@@ -9,7 +9,6 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from testbed.air.config import Atmosphere, Gust
 from testbed.aircraft.changes import ChangedAircraft, load_with_changes, name_in
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
@@ -22,12 +21,7 @@ from testbed.inputs.problems import BadInput, Problem, TreePath
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.scenario import checks as scenario_checks
-from testbed.scenario.model import Command, CommandRates, Initial, Scenario
-
-__all__ = [
-    "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
-    "changed", "dump", "load_scenario", "scenario_from",
-]  # fmt: skip
+from testbed.scenario.model import Scenario as Scenario
 
 
 def load_scenario(

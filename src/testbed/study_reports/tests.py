@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from testbed.reporting.junit import Test
 from testbed.reporting.story import story
-from testbed.studies.folder import logs
+from testbed.studies.folder import logs, reading
 from testbed.studies.folder.names import in_file_names, log_file
 from testbed.studies.matrix.plan import MatrixPlan
 from testbed.studies.plan import Plan
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
-def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Test]:
+def tests_of_sweep(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
     """A test of each flight, in the order of runs and variants."""
-    for k, row in enumerate(frame.to_dict("records")):
+    for k, row in enumerate(reading.load(folder).to_dict("records")):
         label = plan.variants[k % len(plan.variants)].label
         name = f"run {row['run']}" + (f", {label}" if label else "")
         if row["passed"] is None:
@@ -32,7 +32,7 @@ def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Te
         yield Test(name, failure, _text(plan, row["run"], label, folder) if failure else "")
 
 
-def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterator[Test]:
+def tests_of_matrix(plan: MatrixPlan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
     """A test of each cell, which fails where it is worse or better than expected."""
     for cell in summary["cells"]:
         shown = {**cell, "severity": f"{cell['severity']:g}"}
