@@ -20,9 +20,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, of `sys.argv` if none is given, and return its exit status."""
     from testbed.cli import interrupts, status
 
-    atexit.register(
-        gc.freeze
-    )  # at its end Python would go through all that numba has loaded once more, for half a second
+    # At its end Python would go through all that numba has loaded once more, for half a second.
+    atexit.register(gc.freeze)
     atexit.register(interrupts.end_undisturbed)
     interrupts.end_at_once()  # before everything else is imported, which takes most of a second
     if words := too_little_memory():

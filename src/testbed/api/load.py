@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import refuse_links
-from testbed.inputs.received_table import read_frame
+from testbed.inputs.received import read_frame, refuse_links
 
 if TYPE_CHECKING:
     import pandas as pd

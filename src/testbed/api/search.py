@@ -18,8 +18,7 @@ from testbed.common.writing import write
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import believed, read_json, refuse_links
-from testbed.inputs.received_table import read_frame
+from testbed.inputs.received import believed, read_frame, read_json, refuse_links
 from testbed.reporting.attempt import add_report, attempt
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of

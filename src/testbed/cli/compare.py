@@ -29,17 +29,17 @@ def arguments(command: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Print what differs between flights or two sweeps, and write their page. Raises BadInput."""
+    file = options.out if options.out.suffix == ".html" else options.out / "comparison.html"
     if len(options.runs) == 2 and all((folder / "sweep.yaml").is_file() for folder in options.runs):
-        return _sweeps(options.runs[0], options.runs[1], options.out)
+        return _sweeps(options.runs[0], options.runs[1], file)
     from testbed.api.load import load_flight
     from testbed.reporting.comparison.compare import MOST, Comparison
 
     problems: list[Problem] = []
-    runs, out = options.runs, options.out
+    runs = options.runs
     if not 2 <= len(runs) <= MOST:
         what = f"is given {len(runs)} flight{'s' if len(runs) > 1 else ''}"
         problems.append(Problem(what, "compare", expected=f"from 2 to {MOST} flights"))
-    file = _file(out)
     collect(problems, lambda: refuse_unwritable(file, _is_comparison))
     flights = [collect(problems, lambda run=run: load_flight(run)) for run in runs]  # type: ignore[misc]
     if problems:
@@ -52,10 +52,6 @@ def run(options: Namespace) -> int:
     return MET
 
 
-def _file(out: Path) -> Path:
-    return out if out.suffix == ".html" else out / "comparison.html"
-
-
 def _is_comparison(file: Path) -> bool:
     """Whether a page that is there may be replaced; the one of a run or a study is called report.html."""
     from testbed.reporting.html import is_page
@@ -63,11 +59,10 @@ def _is_comparison(file: Path) -> bool:
     return file.name != "report.html" and is_page(file)
 
 
-def _sweeps(first: Path, second: Path, out: Path) -> int:
+def _sweeps(first: Path, second: Path, file: Path) -> int:
     """Compare two sweeps, and return the exit status: NOT_MET where the second passes less often, beyond chance."""
     from testbed.study_reports.sweep import comparison
 
-    file = _file(out)
     refuse_unwritable(file, _is_comparison)
     with working("comparing"):
         changes = comparison.compared(first, second)

@@ -87,9 +87,8 @@ def _send_again(swallowed: sys.UnraisableHookArgs) -> None:
         return
     from threading import Timer  # here, since until Ctrl-C is handled every millisecond of imports counts
 
-    again = Timer(
-        _AGAIN_S, os.kill, [os.getpid(), signal.SIGINT]
-    )  # to the process, so that a main thread that waits wakes
+    # To the process, so that a main thread that waits wakes.
+    again = Timer(_AGAIN_S, os.kill, [os.getpid(), signal.SIGINT])
     again.daemon = True
     again.start()
 

@@ -60,11 +60,8 @@ def _reached(address: str) -> tuple[Any, str]:
         raise BadInput([Problem("needs fsspec", address, expected="pip install 'testbed[bucket]'")]) from None
     try:
         fs, root = url_to_fs(address)
-    except (
-        ImportError,
-        ValueError,
-        OSError,
-    ) as error:  # a package of the protocol's own is missing, or there is none
+    except (ImportError, ValueError, OSError) as error:
+        # A package of the protocol's own is missing, or there is none.
         raise BadInput([Problem(str(error), address, expected=_EXAMPLE)]) from None
     return fs, str(root).rstrip("/")
 

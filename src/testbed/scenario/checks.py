@@ -123,14 +123,14 @@ def _known(word: str, known: Collection[str], kind: str, path: TreePath) -> Iter
 
 def _times(scenario: Scenario) -> Iterator[Issue]:
     """Times after the end of the flight. What is asked for there would never happen, and nobody would notice."""
-    end = scenario.duration_s
+    end, before = scenario.duration_s, f"less than duration_s {scenario.duration_s:g}"
     known_rate = scenario.rate_hz > 1 and end * scenario.rate_hz <= MAX_STEPS
     if scenario.commands and scenario.commands[-1].at_s >= end:
         what = f"the last of {len(scenario.commands)} is at {scenario.commands[-1].at_s:g} s"
-        yield Issue(("commands",), what, _before(end))
+        yield Issue(("commands",), what, before)
     for path, time in _starts(scenario):
         if time >= end:
-            yield Issue(path, f"{time:g} s is not within the flight", _before(end))
+            yield Issue(path, f"{time:g} s is not within the flight", before)
         elif known_rate and first_step_at(time, scenario.rate_hz) >= scenario.steps:
             last_s = (scenario.steps - 1) / scenario.rate_hz
             yield Issue(path, f"{time:g} s is after the last control step", f"at most {last_s:g}")
@@ -169,10 +169,6 @@ def _given(path: TreePath, each: Iterable[object], *keys: str) -> Iterator[tuple
         for key in keys:
             if (time := getattr(entry, key)) is not None:
                 yield (*path, i, key), time
-
-
-def _before(end: float) -> str:
-    return f"less than duration_s {end:g}"
 
 
 def _steps(scenario: Scenario) -> Iterator[Issue]:

@@ -19,8 +19,7 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import json_of
-from testbed.inputs.received_table import read_table
+from testbed.inputs.received import json_of, read_table
 from testbed.scenario.load import Scenario, dump, scenario_from
 from testbed.studies.folder.names import file_of, runs_of
 

@@ -11,8 +11,7 @@ import numpy as np
 
 from testbed.common.units import unit
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import refuse_links
-from testbed.inputs.received_table import read_frame
+from testbed.inputs.received import read_frame, refuse_links
 from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
