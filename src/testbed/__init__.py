@@ -52,7 +52,12 @@ __all__ = ["__version__", *_MODULES]
 def __getattr__(name: str) -> Any:
     """Import on first use: `import testbed` stays quick, and reading results needs no simulator."""
     if name == "__version__":
-        return _version()
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            return version("testbed")
+        except PackageNotFoundError:  # run from the repository, not installed
+            return "0+unknown"
     if name not in _MODULES:
         raise AttributeError(f"module 'testbed' has no attribute {name!r}")
     from importlib import import_module
@@ -63,12 +68,3 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """The names that users need, also those that have not been imported yet."""
     return __all__
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("testbed")
-    except PackageNotFoundError:  # run from the repository, not installed
-        return "0+unknown"

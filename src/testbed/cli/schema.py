@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
-from importlib import import_module
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, get_args
 
 from testbed.cli.command import add_out, write_out
@@ -24,18 +24,18 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
 TABLE = {
-    "aircraft": ("testbed.aircraft.description", "Aircraft"),
-    "matrix": ("testbed.studies.matrix.model", "Matrix"),
-    "scenario": ("testbed.scenario.model", "Scenario"),
-    "search": ("testbed.studies.model", "Search"),
-    "suite": ("testbed.studies.benchmark.model", "Suite"),
-    "sweep": ("testbed.studies.model", "Sweep"),
+    "aircraft": "testbed.aircraft.description:Aircraft",
+    "matrix": "testbed.studies.matrix.model:Matrix",
+    "scenario": "testbed.scenario.model:Scenario",
+    "search": "testbed.studies.model:Search",
+    "suite": "testbed.studies.benchmark.model:Suite",
+    "sweep": "testbed.studies.model:Sweep",
 }
 """The kinds of file that have a schema: module and name of the model of each."""
 
 _NAMES = {
-    ("Requirement", "metric"): ("testbed.metrics", "TABLE"),
-    ("Scenario", "reference"): ("testbed.scenario.references", "TABLE"),
+    ("Requirement", "metric"): "testbed.metrics:TABLE",
+    ("Scenario", "reference"): "testbed.scenario.references:TABLE",
 }
 """Texts that are names of parts: (model, key), and module and name of the table, which `--with` adds to."""
 
@@ -47,8 +47,7 @@ def text_of(kind: str) -> str:
 
 def model_of(kind: str) -> type[BaseModel]:
     """The model of one kind of file, which is imported when it is asked for."""
-    module, name = TABLE[kind]
-    return getattr(import_module(module), name)
+    return resolve_name(TABLE[kind])
 
 
 def arguments(command: ArgumentParser) -> None:
@@ -98,8 +97,8 @@ def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:
             entry["description"] = meanings[name]
         if name == "released" and "anyOf" in entry:
             entry["anyOf"].append({"const": "auto"})
-        module, table = _NAMES.get((model.__name__, name), ("", ""))
-        if module and (names := sorted(getattr(import_module(module), table))):
+        table = _NAMES.get((model.__name__, name))
+        if table is not None and (names := sorted(resolve_name(table))):
             entry["anyOf"][0] = {"enum": names}
 
 

@@ -56,17 +56,12 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems
     tree = source.tree
+    start = aircraft.reference.model_dump() if aircraft else {"altitude_m": 0.0, "airspeed_m_s": 1.0}
     if aircraft is not None and (tree.get("initial") is None or isinstance(tree["initial"], dict)):
-        tree["initial"] = {**aircraft.reference.model_dump(), **(tree.get("initial") or {})}
+        tree["initial"] = {**start, **(tree.get("initial") or {})}
     elif problems:  # of the aircraft: a missing initial condition is no problem of its own then
-        tree.setdefault("initial", _somewhere(None))
-    stand_ins = {
-        "name": "?",
-        "aircraft": "?",
-        "duration_s": 1e9,
-        "rate_hz": 1,
-        "initial": _somewhere(aircraft),
-    }
+        tree.setdefault("initial", start)
+    stand_ins = {"name": "?", "aircraft": "?", "duration_s": 1e9, "rate_hz": 1, "initial": start}
     scenario = validated(Scenario, source, lambda s: scenario_checks.check(s, aircraft), stand_ins)
     scenario._source = source
     return scenario
@@ -133,11 +128,6 @@ def _placed(source: Source, problem: Problem) -> Problem:
         return problem
     path = ("aircraft", *filter(None, problem.path.split(".")))
     return source.problem(path, problem.what, problem.expected, problem.suggestion)
-
-
-def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
-    """A valid initial condition with which checking goes on if that of the file is refused."""
-    return aircraft.reference.model_dump() if aircraft else {"altitude_m": 0.0, "airspeed_m_s": 1.0}
 
 
 def _drop_settings_of_other_controllers(source: Source) -> None:
