@@ -52,12 +52,9 @@ def benchmark(
         draws: number of flights of each controller; 1000 by default.
         seed: from which the flights are drawn; 1 by default.
         word: a public word, from which and the digest of the law the seed is made, so that nobody can choose it.
-        jobs: number of processes; one for each core by default.
-        cluster: address of a Dask cluster to fly on instead.
-        resume: go on with an existing folder, and fly only the missing flights.
-        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         entry: a file to write, with which others can check the result.
 
+    `jobs`, `cluster`, `resume` and `mixed` are as of `sweep`.
     Raises BadInput when nothing can be flown, Stopped when it ended early; the finished flights are then kept.
     """
     how = Options(jobs, cluster, "none", mixed=mixed)

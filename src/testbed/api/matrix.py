@@ -72,17 +72,10 @@ def matrix(
         at_s: when each failure starts [s].
         baseline: a YAML or CSV file with what is expected of the cells; each is expected to be held by default.
         controllers: types of shipped controllers, and classes of your own, each NAME=FILE.py:CLASS.
-        seed: seed of everything random, in place of the file's.
-        settings: changes as with `--set`, each KEY=VALUE.
-        set: the same as a mapping from dotted paths.
-        jobs: number of processes; one for each core by default.
-        cluster: address of a Dask cluster to fly on instead.
-        resume: go on with an existing folder, and fly only the missing flights.
-        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         save_logs: which flights' logs to keep, each for a page of its own: `none`, `failed` or `all`.
-        fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to write the report and the pages of flights.
 
+    `seed`, `settings`, `set`, `jobs`, `cluster`, `resume`, `mixed` and `fly` are as of `sweep`.
     Raises BadInput when nothing can be flown, Stopped when it ended early; the finished flights are then kept.
     """
     import pandas as pd

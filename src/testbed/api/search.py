@@ -93,17 +93,9 @@ def search(
         out: the folder to make, `runs/<name>` by default.
         goal: `smallest` or `probability`, in place of the file's.
         budget: most flights of each part, in place of the file's.
-        seed: seed of everything random, in place of the file's.
-        settings: changes as with `--set`, each KEY=VALUE.
-        set: the same as a mapping from dotted paths, as `fly` takes it: {"sensors": "mems", "budget": 50}.
-        jobs: number of processes; one for each core by default.
-        cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, with the flights that it has.
-        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
-        fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
-        figures: whether to draw figures and write the report.
-        controllers: classes of your own to compare with the file's controllers, each NAME=FILE.py:CLASS.
 
+    `seed`, `settings`, `set`, `jobs`, `cluster`, `mixed`, `fly`, `figures` and `controllers` are as of `sweep`.
     Raises BadInput when nothing can be searched, Stopped when the search ended early; the finished flights are then kept.
     """
     how = Options(jobs, cluster, "none", fly, mixed=mixed)
