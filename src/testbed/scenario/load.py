@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from testbed.aircraft.changes import ChangedAircraft, load_with_changes, name_in
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
 from testbed.controllers.config import TABLE as CONTROLLERS
@@ -101,7 +101,11 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
         return None, []
     holder[key] = placed_name(name, source.file)
     try:
-        return load_with_changes(_choice(source.tree["aircraft"])), []
+        choice = ChangedAircraft.model_validate(said) if isinstance(said, dict) else holder[key]
+    except ValidationError:  # of changes, which are found elsewhere
+        choice = holder[key]
+    try:
+        return load_with_changes(choice), []
     except BadInput as error:
         return None, [_placed(source, problem) for problem in error.problems]
 
@@ -112,14 +116,6 @@ def placed_name(name: str, file: str | Path) -> str:
         return name
     beside = Path(file).parent / name
     return os.path.realpath(name if os.path.isdir(name) and not os.path.isdir(beside) else beside)
-
-
-def _choice(said: str | dict[str, Any]) -> str | ChangedAircraft:
-    """What the tree says of the aircraft; with changes that are not valid, which are found elsewhere, its name."""
-    try:
-        return said if isinstance(said, str) else ChangedAircraft.model_validate(said)
-    except ValidationError:
-        return name_in(said)
 
 
 def _placed(source: Source, problem: Problem) -> Problem:
