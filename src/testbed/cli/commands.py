@@ -18,7 +18,7 @@ from pathlib import Path
 from testbed.cli import interrupts
 from testbed.cli.parser import FIRST_STEPS, parser
 from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, Ended
-from testbed.cli.terminal import give_up_stdout, plain_output
+from testbed.cli.terminal import give_up, plain_output
 from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
@@ -39,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except Exception as error:
             if os.environ.get(_TRACEBACK):
                 raise
-            give_up_stdout()
+            give_up(sys.stdout)
             return _said(_in_words(error), ENDED_EARLY)
 
 
@@ -105,7 +105,7 @@ def end_despite_threads(status: int) -> int:
         try:
             sys.stdout.flush()
         except OSError:  # as `main` has said already
-            give_up_stdout()
+            give_up(sys.stdout)
         os._exit(status)
     return status
 

@@ -59,7 +59,7 @@ def _read_or_not(stream: TextIO) -> Iterator[None]:
     try:
         yield
     except BrokenPipeError:
-        _give_up(stream)
+        give_up(stream)
 
 
 @contextlib.contextmanager
@@ -86,13 +86,11 @@ def _show(message: Warning | str, *_: object, **__: object) -> None:
     print(f"WARNING: {' '.join(str(message).split())}", file=sys.stderr)
 
 
-def give_up_stdout() -> None:
-    """Let what is still to be written to stdout vanish, because its disk is full."""
-    _give_up(sys.stdout)
+def give_up(stream: TextIO) -> None:
+    """Let what is still to be written vanish, because its reader has gone or its disk is full.
 
-
-def _give_up(stream: TextIO) -> None:
-    """The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds."""
+    The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds.
+    """
     # ValueError: it has no file descriptor, as in a test. AttributeError: a controller of the user's has set it to None.
     with contextlib.suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
