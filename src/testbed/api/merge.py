@@ -13,7 +13,6 @@ from testbed.studies import merge as shards
 from testbed.studies.flying.flight import FLY
 from testbed.studies.flying.pool import serial
 from testbed.studies.folder import reading, store, table
-from testbed.studies.plan import Plan
 from testbed.studies.run import Options
 from testbed.studies.search.run import unsearched
 
@@ -47,25 +46,14 @@ def merge(
     if other := [path for path in paths if words[0] == "benchmark" and kind.plan_of(path).size != plan.size]:
         raise BadInput([Problem("has another number of draws", str(path)) for path in other])
     shards.merge(plan, paths, out, mixed=mixed)
-    missing = _missing(words[0], plan, out)
-    if missing or not _is_told(words[0], plan, out):
-        return None, missing
-    flights = kind.fly(plan, out, Options(workers=serial), resume=True) if words[0] == "search" else None
-    return kind.finish(plan, out, flights, figures=figures), missing
-
-
-def _missing(word: str, plan: Any, out: Path) -> Sequence[int | str]:
-    """What has not been flown of a merged study; the table is written where that is nothing."""
+    searched = words[0] == "search"
     with store.reading(out) as stored:
-        if word == "search":
-            return unsearched(plan, stored)
-        missing = shards.unflown(plan, stored)
-        if word in KEEP_LOGS and not missing:
+        missing = unsearched(plan, stored) if searched else shards.unflown(plan, stored)
+        # What is found by code of the user's cannot be written without it: a search's flights are flown once more.
+        by_own = searched and (plan.builder.own or stored.inputs.get("fly") != FLY)
+        if words[0] in KEEP_LOGS and not missing:
             table.write(plan, lambda: reading.records(plan, stored), out)
-        return missing
-
-
-def _is_told(word: str, plan: Plan, out: Path) -> bool:
-    """Whether what was found can be written without code of the user's, with which a search's flights are flown once more."""
-    with store.reading(out) as stored:
-        return word != "search" or (not plan.builder.own and stored.inputs["fly"] == FLY)
+    if missing or by_own:
+        return None, missing
+    flights = kind.fly(plan, out, Options(workers=serial), resume=True) if searched else None
+    return kind.finish(plan, out, flights, figures=figures), missing

@@ -64,7 +64,9 @@ def _approach(scenario: Scenario, name: str, key: str, factor: float, rows: np.n
     for first, end, target in _targets(scenario, key):
         # One row more than until the next command, which starts from there.
         after, start = slice(max(first, done), end + 1), float(value[first])
-        change = _change(start, target * factor, name)
+        change = target * factor - start
+        if name == "heading":  # by at most half a turn
+            change = math.remainder(change, 2.0 * math.pi)
         value[after], rate[after] = start + change, 0.0
         there = first + abs(change) / moves * scenario.rate_hz + 2 if moves else math.inf
         after = slice(after.start, int(min(after.stop, len(rows), max(there, after.start))))
@@ -95,9 +97,3 @@ def _targets(scenario: Scenario, key: str) -> Iterator[tuple[int, int, float]]:
     ends = [*(first for first, _ in given[1:]), scenario.steps]
     for (first, target), end in zip(given, ends, strict=False):
         yield first, end, target
-
-
-def _change(now: float, target: float, name: str) -> float:
-    """Change from `now` to `target` in the units of both; a heading [rad] changes by at most half a turn."""
-    change = target - now
-    return math.remainder(change, 2.0 * math.pi) if name == "heading" else change
