@@ -43,7 +43,7 @@ def read_bytes(path: str | Path, most: int, expected: str) -> bytes:
         raise BadInput([Problem("has a NUL character in its name", repr(file), expected=expected)])
     try:
         # O_NONBLOCK, because opening a pipe otherwise waits until somebody writes to it.
-        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as stream:
+        with open(path, "rb", opener=lambda name, _: os.open(name, os.O_RDONLY | os.O_NONBLOCK)) as stream:
             if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
                 raise BadInput([Problem("is a device or a pipe", file, expected=expected)])
             content = stream.read(most + 1)
