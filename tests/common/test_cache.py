@@ -46,15 +46,6 @@ def test_an_error_is_not_kept() -> None:
     assert cache.get("b", make) == 2
 
 
-def test_one_or_all_are_forgotten() -> None:
-    one, other, make = Cache[int](4), Cache[int](4), Counter()
-    one.get("a", make), other.get("a", make)
-    one.clear()
-    assert (one.get("a", make), other.get("a", make)) == (3, 2)
-    Cache.clear_all()
-    assert (one.get("a", make), other.get("a", make)) == (4, 5)
-
-
 def test_none_is_a_result() -> None:
     cache, calls = Cache[None](2), Counter()
 

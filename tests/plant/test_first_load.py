@@ -8,12 +8,12 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import caches
 import pytest
 from hostile_models import MODEL, channel, inserted, replaced
 
 from testbed.aircraft.description import load_aircraft
 from testbed.common import child
-from testbed.common.cache import Cache
 from testbed.inputs.problems import BadInput
 from testbed.plant import first_load
 from testbed.plant.first_load import assure, property_catalog
@@ -24,7 +24,7 @@ from testbed.plant.jsbsim import Plant
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache folder, and a process that has seen no aircraft."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    Cache.clear_all()
+    caches.forget()
     return tmp_path / "cache" / "testbed" / "models"
 
 
@@ -44,7 +44,7 @@ def test_a_known_aircraft_is_not_loaded_elsewhere_again(
     for _ in range(2):
         assure(aircraft)
     assert (len(elsewhere), len(list(cache.iterdir()))) == (1, 1)
-    Cache.clear_all()  # as a new process
+    caches.forget()  # as a new process
     assert property_catalog(aircraft) == Plant(aircraft, 200).catalog()
     assert len(elsewhere) == 1
     replaced(MODEL, "4.95", "4.96")(vtail_copy)
@@ -60,7 +60,7 @@ def test_a_record_that_is_not_whole_is_made_again(
     (file,) = cache.iterdir()
     for contents in (b"", file.read_bytes()[:100], b"[]", b"\xff"):
         file.write_bytes(contents)
-        Cache.clear_all()
+        caches.forget()
         assert property_catalog(aircraft) == known
     assert len(elsewhere) == 5
 
@@ -73,7 +73,7 @@ def test_without_a_cache_folder_each_process_loads_anew(
     aircraft = load_aircraft(str(vtail_copy))
     assure(aircraft)
     assure(aircraft)
-    Cache.clear_all()
+    caches.forget()
     assure(aircraft)
     assert len(elsewhere) == 2
     assert not cache.exists()

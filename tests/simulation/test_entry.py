@@ -10,10 +10,10 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import caches
 import pytest
 from command_line import ROOT
 
-from testbed.common.cache import Cache
 from testbed.flight.flight import Flight
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -75,7 +75,7 @@ def test_compiled_flies_as_the_page_reads(tmp_path: Path) -> None:
 @pytest.mark.parametrize("case", ["ideal", "mems"])
 def test_a_cached_result_changes_nothing(case: str) -> None:
     """The first flight, the second, and one after another aircraft state has been flown, to the same bytes."""
-    Cache.clear_all()
+    caches.forget()
     cold = short(case)
     warm = short(case)
     fly(load_scenario(TAIL, [*SHORT, "controller.model_error={Cm_alpha: 1.3}", "initial.airspeed_m_s=20"]))

@@ -47,29 +47,25 @@ def name_problems(scenario: Scenario, aircraft: Aircraft) -> list[Problem]:
 
     Before a sweep, its flights get only this check: to trim each would take too long.
     """
-    return _unknown(scenario, aircraft, property_catalog(aircraft) if scenario.failures else {})
+    properties = property_catalog(aircraft) if scenario.failures else {}
+    every, in_flight = all_columns(aircraft, scenario), columns(aircraft)
+    return unknown_names(scenario, aircraft, every, METRICS, properties, in_flight)
 
 
 def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenario:
     """The scenario, or BadInput. Where the model cannot be loaded, names of its properties cannot be checked."""
-    at, found = scenario.initial, list[Problem]()
+    at, found, named = scenario.initial, list[Problem](), scenario
     start = (scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg))
-    named = scenario
     try:
-        properties = check_start(aircraft, *start, remembered=remembered)
+        check_start(aircraft, *start, remembered=remembered)
     except BadInput as error:
         found += error.problems
-        named, properties = scenario.model_copy(update={"failures": ()}), {}
+        named = scenario.model_copy(update={"failures": ()})
     # A problem without a file is that there is no trimmed flight to begin with.
     placed = [p if p.file else scenario.source.problem(("initial",), p.what, p.expected) for p in found]
-    if problems := [*_unknown(named, aircraft, properties), *placed]:
+    if problems := [*name_problems(named, aircraft), *placed]:
         raise BadInput(problems)
     return scenario
-
-
-def _unknown(scenario: Scenario, aircraft: Aircraft, properties: dict[str, bool]) -> list[Problem]:
-    every, in_flight = all_columns(aircraft, scenario), columns(aircraft)
-    return unknown_names(scenario, aircraft, every, METRICS, properties, in_flight)
 
 
 def check_start(
@@ -80,8 +76,8 @@ def check_start(
     heading_rad: float,
     *,
     remembered: bool = True,
-) -> dict[str, bool]:
-    """Name of each property of the aircraft's model, and whether it can be written, if a flight can begin.
+) -> None:
+    """Find what a flight begins with.
 
     Args:
         remembered: whether to look for a record, and to keep one. The flights of a sweep would fill the folder with them.
@@ -90,34 +86,25 @@ def check_start(
         BadInput: the model cannot be loaded, or the stored design model is none.
         NoTrim: there is no level flight at the initial condition, or none from which to identify a missing design model.
     """
-    catalog = property_catalog(aircraft)
+    property_catalog(aircraft)
     start = (physics_hz, airspeed_m_s, altitude_m, heading_rad)
-    if not remembered:
-        _begin(aircraft, start)
-        return catalog
-    stored_text = _design_model(aircraft)
-    key = f"{aircraft.fingerprint()}-{hashlib.sha256(repr((start, stored_text)).encode()).hexdigest()[:16]}"
-    if not model_cache.has(key):
-        _begin(aircraft, start)
-        model_cache.write(key, {})
-    return catalog
-
-
-def _begin(aircraft: Aircraft, start: tuple[float, float, float, float]) -> None:
-    """Find what a flight begins with."""
+    record = _record(aircraft, start) if remembered else ""
+    if record and model_cache.has(record):
+        return
     from testbed.plant.identification import stored
     from testbed.plant.trim import trimmed_start
 
     trimmed_start(aircraft, *start)
     trimmed_start(aircraft.nominal, *start)
     stored(aircraft.nominal)
+    if record:
+        model_cache.write(record, {})
 
 
-def _design_model(aircraft: Aircraft) -> bytes:
-    """The contents of the stored design model, which was read; empty if there is none. Raises BadInput."""
-    file = aircraft.folder / DESIGN_MODEL
-    if not file.exists():
-        return b""
-    contents = read_bytes(file)
-    load_design_model(file)
-    return contents
+def _record(aircraft: Aircraft, start: tuple[float, ...]) -> str:
+    """The name of a start in the cache folder, from all that it depends on; raises BadInput for a bad stored design model."""
+    file, design = aircraft.folder / DESIGN_MODEL, b""
+    if file.exists():
+        design = read_bytes(file)
+        load_design_model(file)
+    return f"{aircraft.fingerprint()}-{hashlib.sha256(repr((start, design)).encode()).hexdigest()[:16]}"

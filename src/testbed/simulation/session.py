@@ -175,9 +175,8 @@ class Session:
         """
         self._refuse_over()
         if isinstance(failure, SensorFault) or (isinstance(failure, Mapping) and "sensor" in failure):
-            self._fault(
-                with_fault(self._planned.sensors.faults, fault_of(failure, self.parts, self.loop.done))
-            )
+            fault = fault_of(failure, self.parts, self.loop.done)
+            self._fault(with_fault(self._planned.sensors.faults, fault))
             return
         given = failure_of(failure, self.parts, self.loop.recorded)
         self._replan(with_failure(self.parts.injector.planned, given, self.parts.aircraft))
@@ -314,17 +313,12 @@ def _refused(verb: str, what: str, expected: str = "", suggestion: str = "") -> 
 
 def _refuse_others(scenario: object, controller: object, settings: object) -> None:
     """Raise BadInput for arguments of a wrong kind."""
-    right = (
-        (
-            "scenario",
-            scenario,
-            isinstance(scenario, Scenario | str | Path),
-            "the path of a scenario's YAML file, or a Scenario",
-        ),
-        ("controller", controller, controller is None or callable(controller), "a class of your own"),
-        ("set", settings, isinstance(settings, Mapping | None), "a mapping of dotted paths to values"),
-    )
-    if wrong := [
-        Problem(f"is {value!r:.60}", name, expected=what) for name, value, fits, what in right if not fits
-    ]:
-        raise BadInput(wrong)
+    wrong = []
+    if not isinstance(scenario, Scenario | str | Path):
+        wrong.append(("scenario", scenario, "the path of a scenario's YAML file, or a Scenario"))
+    if controller is not None and not callable(controller):
+        wrong.append(("controller", controller, "a class of your own"))
+    if not isinstance(settings, Mapping | None):
+        wrong.append(("set", settings, "a mapping of dotted paths to values"))
+    if wrong:
+        raise BadInput([Problem(f"is {value!r:.60}", name, expected=what) for name, value, what in wrong])
