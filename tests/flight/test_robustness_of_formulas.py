@@ -14,7 +14,7 @@ from scenario_files import GOOD, problems_of
 
 import testbed
 from testbed.flight.requirements import judge
-from testbed.flight.temporal import robustness
+from testbed.flight.robustness import robustness
 from testbed.scenario.formula import parse
 from testbed.scenario.requirement import Requirement
 

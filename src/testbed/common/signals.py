@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from enum import IntEnum
 from functools import cache
+from typing import Self
 
 import numpy as np
 
@@ -55,39 +56,29 @@ BELIEFS = ("belief", "believed_position")
 """What a controller may log besides of each actuator: what it takes it for (a code of `Belief`), and the position at which it is
 thought to be held, divided by `scale`."""
 
-
 GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
 """Readings that a controller may take for stuck. It may log a flag of each, which is 1 while it does."""
 
 
 class Belief(IntEnum):
-    """What a controller takes an actuator for. The log has the number; the name is the word for it."""
+    """What a controller takes an actuator for. The log has the number; the name is the word for it. `meaning` is what the
+    controller believes then, and what it does with the actuator."""
 
-    works = 0
-    doubted = 1
-    lost = 2
-    held = 3
-    reversed = 4
-    offset = 5
-    swings = 6
-    late = 7
+    works = 0, "it follows its command, with the effectiveness of its estimate"
+    doubted = 1, "its force has changed, and what has failed is not decided yet; it is used on"
+    lost = 2, "it has no force; it is given up"
+    held = 3, "its force does not follow its command but stays; it is given up, and its force is balanced"
+    reversed = 4, "its force goes against its command; it is used with the opposite sign"
+    offset = 5, "it follows its command with an offset, which commands make up for"
+    swings = 6, "it follows its command and swings by itself; it is used"
+    late = 7, "it follows its command later than it is designed to; it is used"
 
-    @property
-    def meaning(self) -> str:
-        """What the controller believes then, and what it does with the actuator."""
-        return _MEANINGS[self]
+    meaning: str
 
-
-_MEANINGS = {
-    Belief.works: "it follows its command, with the effectiveness of its estimate",
-    Belief.doubted: "its force has changed, and what has failed is not decided yet; it is used on",
-    Belief.lost: "it has no force; it is given up",
-    Belief.held: "its force does not follow its command but stays; it is given up, and its force is balanced",
-    Belief.reversed: "its force goes against its command; it is used with the opposite sign",
-    Belief.offset: "it follows its command with an offset, which commands make up for",
-    Belief.swings: "it follows its command and swings by itself; it is used",
-    Belief.late: "it follows its command later than it is designed to; it is used",
-}
+    def __new__(cls, code: int, meaning: str) -> Self:
+        belief = int.__new__(cls, code)
+        belief._value_, belief.meaning = code, meaning
+        return belief
 
 
 def telemetry_width(actuators: int) -> int:

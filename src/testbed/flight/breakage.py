@@ -25,7 +25,7 @@ import numpy as np
 
 from testbed.failures import Failure
 from testbed.failures.losses import LOST as LOST
-from testbed.flight.columns import row_at, stretches
+from testbed.flight.columns import Events, Log, row_at, stretches
 
 
 class ActiveFailure(NamedTuple):
@@ -43,6 +43,10 @@ class ActiveFailure(NamedTuple):
     from_s: float
     until_s: float
     verified: bool | None
+
+    def rows(self, log: Log) -> slice:
+        """The rows of a log in which it was active."""
+        return slice(row_at(log["time_s"], self.from_s), row_at(log["time_s"], self.until_s))
 
 
 def failures_of(events: Iterable[Mapping[str, Any]]) -> list[ActiveFailure]:
@@ -65,44 +69,35 @@ def failure_times_s(events: Iterable[Mapping[str, Any]]) -> list[float]:
     return sorted({failure.from_s for failure in failures_of(events)})
 
 
-def lost(log: Mapping[str, np.ndarray], actuator: str) -> np.ndarray:
+def lost(log: Log, actuator: str) -> np.ndarray:
     """[rows] True while the actuator's true effectiveness is LOST or less."""
     return np.asarray(log[f"{actuator}_effectiveness"] <= LOST)
 
 
-def broken(
-    log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
-) -> np.ndarray:
-    """[rows] True while the actuator is broken (see the module); `injections` are the events of this kind, in order of time."""
+def broken(log: Log, actuator: str, injections: Events) -> np.ndarray:
+    """[rows] True while the actuator is broken (see the module); `injections` are the events of this kind."""
     rows = lost(log, actuator).copy()
     for failure in failures_of(injections):
         if failure.actuator == actuator and failure.type != "effectiveness":
-            first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
-            rows[first:end] = True
+            rows[failure.rows(log)] = True
     return rows
 
 
 def response(
-    log: Mapping[str, np.ndarray], actuator: str, active: Iterable[ActiveFailure], failures: Sequence[Failure]
+    log: Log, actuator: str, active: Iterable[ActiveFailure], failures: Sequence[Failure]
 ) -> np.ndarray:
     """[rows] What the actuator truly does for its command: 1 healthy, 0 nothing, -1 the opposite, NaN while it does not follow.
 
-    Args:
-        log: columns by name, each [rows].
-        active: the failures of the flight (`failures_of`).
-        failures: those of its scenario.
+    `active` are the failures of the flight (`failures_of`), `failures` those of its scenario.
     """
     rows = log[f"{actuator}_effectiveness"].copy()
     for failure in active:
         if failure.actuator == actuator and failure.number < len(failures):
-            first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
-            rows[first:end] *= failures[failure.number].response
+            rows[failure.rows(log)] *= failures[failure.number].response
     return rows
 
 
-def broken_since(
-    log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
-) -> np.ndarray:
+def broken_since(log: Log, actuator: str, injections: Events) -> np.ndarray:
     """[rows] Time at which the actuator broke [s]; NaN while it is not broken.
 
     While the actuator is lost, this is the time at which its effectiveness fell to LOST. So the detection delay of an

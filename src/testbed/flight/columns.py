@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,11 +11,15 @@ import numpy as np
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import BELIEFS, GUARDED, RATES, SETPOINT, STATE, TELEMETRY, Belief
+from testbed.common.units import DEGREES_PER_RADIAN as _DEG
 from testbed.inputs.problems import did_you_mean
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
-_DEG = 180.0 / math.pi
+Log = Mapping[str, np.ndarray]
+"""A log: its columns by name, each [rows]."""
+Events = Sequence[Mapping[str, Any]]
+"""What happened, in order of time: {time_s, kind, ...}."""
 _SAME_TIME_S = 1e-9  # times this close are equal: rows are at k / rate, which may differ from a decimal number by rounding
 _TRUTH = (
     ("north_m", "north", 1.0), ("east_m", "east", 1.0), ("altitude_m", "altitude", 1.0),
@@ -31,9 +35,13 @@ _REFERENCES = (
 )
 ALWAYS_KNOWN = ("time_s", *(name for name, *_ in (*_TRUTH, *_REFERENCES)))
 """Columns that every log has, whatever flew, with a number in each row unless the flight diverged."""
+_OF_ACTUATOR = (
+    "reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed", "belief", "believed_position",
+)  # fmt: skip
+"""How the columns of each actuator end."""
+_SCALED = ("reference", "command", "believed_position")
+"""Those that are recorded divided by the actuator's `scale`."""
 _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
-
-
 _SAID = (
     *(f"_{name}" for name in (*TELEMETRY, BELIEFS[0])),
     "_released",
@@ -217,11 +225,12 @@ def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) ->
 def _columns(aircraft: Aircraft) -> Iterator[_Column]:
     """The columns that every log has, in their order."""
     n = len(aircraft.actuators)
-    positions, effectiveness = len(STATE), len(STATE) + n  # where they begin in a row of truth
-    of_actuator = {what: n * i for i, what in enumerate(TELEMETRY)}  # where each begins in a row of telemetry
     desired = len(TELEMETRY) * n
     released = desired + len(RATES)
-    of_actuator |= {what: released + len(RATES) + n * i for i, what in enumerate(BELIEFS)}
+    # The array in which each quantity of the actuators is, and where it begins in a row.
+    begins = {what: ("telemetry", n * i) for i, what in enumerate(TELEMETRY)}
+    begins |= {what: ("telemetry", released + len(RATES) + n * i) for i, what in enumerate(BELIEFS)}
+    begins |= {"position": ("truth", len(STATE)), "effectiveness": ("truth", len(STATE) + n)}
     yield _TIME
     for name, of, factor in _TRUTH:
         yield _Column(name, "truth", STATE.index(of), factor)
@@ -235,18 +244,9 @@ def _columns(aircraft: Aircraft) -> Iterator[_Column]:
     for i, rate in enumerate(RATES):
         yield _Column(f"{rate}_released", "telemetry", released + i)
     for i, (name, actuator) in enumerate(aircraft.actuators.items()):
-        reference, command = of_actuator["reference"] + i, of_actuator["command"] + i
-        yield _Column(f"{name}_reference", "telemetry", reference, actuator.scale)
-        yield _Column(f"{name}_command", "telemetry", command, actuator.scale)
-        yield _Column(f"{name}_position", "truth", positions + i)
-        yield _Column(f"{name}_effectiveness", "truth", effectiveness + i)
-        yield _Column(
-            f"{name}_effectiveness_estimate", "telemetry", of_actuator["effectiveness_estimate"] + i
-        )
-        yield _Column(f"{name}_failed", "telemetry", of_actuator["failed"] + i)
-        yield _Column(f"{name}_belief", "telemetry", of_actuator["belief"] + i)
-        held = of_actuator["believed_position"] + i
-        yield _Column(f"{name}_believed_position", "telemetry", held, actuator.scale)
+        for what in _OF_ACTUATOR:
+            array, first = begins[what]
+            yield _Column(f"{name}_{what}", array, first + i, actuator.scale if what in _SCALED else 1.0)
 
 
 def row_at(time_s: np.ndarray, instant_s: float) -> int:
@@ -275,7 +275,7 @@ def stays_from(flag: np.ndarray, first: int, end: int) -> int | None:
     return row if row < end else None
 
 
-def unsaid(log: Mapping[str, np.ndarray]) -> set[str]:
+def unsaid(log: Log) -> set[str]:
     """Columns of which the controller said nothing in the whole flight: they cannot be judged.
 
     Where an actuator is held is said by who says what it takes the actuator for, also while none is held.
@@ -286,14 +286,12 @@ def unsaid(log: Mapping[str, np.ndarray]) -> set[str]:
     return silent | (held & log.keys())
 
 
-def beliefs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:
+def beliefs(log: Log, actuators: Iterable[str]) -> list[dict[str, Any]]:
     """What the controller took each actuator for: {time_s, until_s, actuator, belief, position} of each stretch, by time.
 
     `belief` is a word of `signals.Belief`. `position` is where a held actuator was thought to be in the last row of the stretch, in
-    the actuator's unit, and NaN for others. Nothing is in the list of a controller that says nothing.
-
-    Args:
-        log: columns by name, each [rows]; one that was written before the log had beliefs has none.
+    the actuator's unit, and NaN for others. Nothing is in the list of a controller that says nothing, nor of a log that was written
+    before there were beliefs.
     """
     time_s, found = log["time_s"], []
     for actuator in actuators:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice
+from typing import Any
 
 import numpy as np
 
@@ -26,53 +27,43 @@ _SHOWN = 3
 """Problems that are named: a damaged file has one in each cell."""
 
 
-def refuse_damaged(flight: Flight, file: str) -> None:
-    """Raise BadInput if the log read from `file` has no rows, lacks a column of `_needed`, or has no number in one of
-    ALWAYS_KNOWN.
+def refuse_damaged(flight: Flight, summary: str, log: str) -> None:
+    """Raise BadInput for a flight that was not one, with the file, `summary` or `log`, in which this is.
 
-    The state of a flight that diverged may be no number. Times must increase up to the flight's end.
+    The events are of failures, actuators, axes and times of the flight. The log has rows, the columns of `_needed`, and a number in
+    each of ALWAYS_KNOWN; the state of a flight that diverged may be none. Times increase up to the flight's end.
     """
-    _refuse(_problems(flight, file))
-
-
-def refuse_other_events(flight: Flight, file: str) -> None:
-    """Raise BadInput if the events read from `file` are of failures, actuators, axes or times that the flight has not."""
-    _refuse(_other_events(flight, file))
-
-
-def _refuse(problems: Iterator[Problem]) -> None:
-    if shown := list(islice(problems, _SHOWN)):
-        raise BadInput(shown)
+    for problems in (_other_events(flight, summary), _problems(flight, log)):
+        if shown := list(islice(problems, _SHOWN)):
+            raise BadInput(shown)
 
 
 def _other_events(flight: Flight, file: str) -> Iterator[Problem]:
-    failures, longest_s = len(flight.scenario.failures), flight.scenario.duration_s + _ROUNDED_S
-    if flight.end_time_s > longest_s:
-        what, expected = (
-            f"is {flight.end_time_s:g}",
-            f"at most {flight.scenario.duration_s:g}, as the scenario says",
-        )
-        yield Problem(what, file, None, "end_time_s", expected)
-    short_s = flight.scenario.duration_s - flight.end_time_s - 1.0 / flight.scenario.log_hz
+    scenario, end_s = flight.scenario, flight.end_time_s
+    if end_s > scenario.duration_s + _ROUNDED_S:
+        expected = f"at most {scenario.duration_s:g}, as the scenario says"
+        yield Problem(f"is {end_s:g}", file, None, "end_time_s", expected)
+    short_s = scenario.duration_s - end_s - 1.0 / scenario.log_hz
     if flight.outcome is Outcome.completed and short_s > _ROUNDED_S:
-        expected = f"{flight.scenario.duration_s:g}, as the scenario says: it was flown to the end"
-        yield Problem(f"is {flight.end_time_s:g}", file, None, "end_time_s", expected)
+        expected = f"{scenario.duration_s:g}, as the scenario says: it was flown to the end"
+        yield Problem(f"is {end_s:g}", file, None, "end_time_s", expected)
     for i, event in enumerate(flight.events):
-        if event["time_s"] > flight.end_time_s + _ROUNDED_S:
-            what, expected = f"is {event['time_s']:g}", f"at most the flight's end, {flight.end_time_s:g}"
-            yield Problem(what, file, None, f"events.{i}.time_s", expected)
-        if event["kind"] == "injection" and event.get("failure", 0) >= failures:
-            yield Problem(f"is not in the scenario, which has {failures}", file, None, f"events.{i}.failure")
-        if event["kind"] in _OF_ACTUATORS and event["actuator"] not in flight.actuators:
-            what, known = (
-                f"is no actuator of this flight: {describe(event['actuator'])}",
-                one_of(flight.actuators),
-            )
-            yield Problem(what, file, None, f"events.{i}.actuator", known)
-        if event["kind"] == "release" and f"{event['axis']}_released" not in flight.columns:
-            yield Problem(
-                f"is {event['axis']}, of which the log says nothing", file, None, f"events.{i}.axis"
-            )
+        for key, what, expected in _foreign(event, flight):
+            yield Problem(what, file, None, f"events.{i}.{key}", expected)
+
+
+def _foreign(event: Mapping[str, Any], flight: Flight) -> Iterator[tuple[str, str, str]]:
+    """(key, what is wrong, what is expected) of what an event says and the flight has not."""
+    failures = len(flight.scenario.failures)
+    if event["time_s"] > flight.end_time_s + _ROUNDED_S:
+        yield "time_s", f"is {event['time_s']:g}", f"at most the flight's end, {flight.end_time_s:g}"
+    if event["kind"] == "injection" and event.get("failure", 0) >= failures:
+        yield "failure", f"is not in the scenario, which has {failures}", ""
+    if event["kind"] in _OF_ACTUATORS and event["actuator"] not in flight.actuators:
+        what = f"is no actuator of this flight: {describe(event['actuator'])}"
+        yield "actuator", what, one_of(flight.actuators)
+    if event["kind"] == "release" and f"{event['axis']}_released" not in flight.columns:
+        yield "axis", f"is {event['axis']}, of which the log says nothing", ""
 
 
 def _problems(flight: Flight, file: str) -> Iterator[Problem]:
@@ -103,7 +94,5 @@ def _needed(flight: Flight) -> Iterator[str]:
 
 def _not_numbers(flight: Flight, file: str, name: str) -> Iterator[Problem]:
     values = flight.column(name) if name in flight.columns else np.zeros(0)
-    for row in np.flatnonzero(~np.isfinite(values)):
-        yield Problem(
-            f"is {values[row]:g}", file, int(row) + 2, name, "a finite number"
-        )  # line 1 has the names
+    for row in np.flatnonzero(~np.isfinite(values)):  # line 1 has the names
+        yield Problem(f"is {values[row]:g}", file, int(row) + 2, name, "a finite number")

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -21,17 +21,19 @@ if TYPE_CHECKING:
 
 
 class Outcome(StrEnum):
-    """How a flight ended."""
+    """How a flight ended. `sentence` is the predicate of a sentence about the aircraft."""
 
-    completed = "completed"
-    ground_contact = "ground_contact"
-    envelope_exceeded = "envelope_exceeded"
-    diverged = "diverged"
+    completed = "completed", "flew to the end"
+    ground_contact = "ground_contact", "hit the ground"
+    envelope_exceeded = "envelope_exceeded", "left the aircraft's flight envelope"
+    diverged = "diverged", "diverged to a state that is not finite"
 
-    @property
-    def sentence(self) -> str:
-        """The predicate of a sentence about the aircraft: "hit the ground"."""
-        return _SENTENCES[self]
+    sentence: str
+
+    def __new__(cls, word: str, sentence: str) -> Self:
+        outcome = str.__new__(cls, word)
+        outcome._value_, outcome.sentence = word, sentence
+        return outcome
 
     @property
     def is_lost(self) -> bool:
@@ -39,12 +41,6 @@ class Outcome(StrEnum):
         return self is not Outcome.completed
 
 
-_SENTENCES = {
-    Outcome.completed: "flew to the end",
-    Outcome.ground_contact: "hit the ground",
-    Outcome.envelope_exceeded: "left the aircraft's flight envelope",
-    Outcome.diverged: "diverged to a state that is not finite",
-}
 LOSSES = frozenset(str(outcome) for outcome in Outcome if outcome.is_lost)
 """Outcomes of flights in which the aircraft was lost, as tables and summaries name them; other words are of flights that were
 not flown."""
@@ -179,14 +175,13 @@ class Flight:
             "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
             "warnings": list(self.warnings),
         }
-        if self.shape is not None:
-            summary["shape"] = self.shape.model_dump(exclude_none=True)
-        if self.flown_by:
-            summary["flown_by"] = self.flown_by
-        if self.flown_by_sha256:
-            summary["flown_by_sha256"] = self.flown_by_sha256
-        if self.parts:
-            summary["parts_sha256"] = dict(self.parts)
+        where_known = {
+            "shape": self.shape and self.shape.model_dump(exclude_none=True),
+            "flown_by": self.flown_by,
+            "flown_by_sha256": self.flown_by_sha256,
+            "parts_sha256": dict(self.parts),
+        }
+        summary |= {name: value for name, value in where_known.items() if value}
         contents: dict[str, Any] = plain(summary)
         return contents
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from testbed.common.text import cell, text_of
 from testbed.common.writing import replacing, write
-from testbed.flight.damage import refuse_damaged, refuse_other_events
+from testbed.flight.damage import refuse_damaged
 from testbed.flight.flight import Flight
 from testbed.flight.summary import checked
 from testbed.inputs.problems import BadInput, Problem
@@ -137,8 +137,7 @@ def flight_from(
         flown_by_sha256=said.flown_by_sha256,
         parts=said.parts_sha256,
     )
-    refuse_other_events(flight, str(summary_file))
-    refuse_damaged(flight, str(log_file))
+    refuse_damaged(flight, str(summary_file), str(log_file))
     return flight
 
 

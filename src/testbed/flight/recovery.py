@@ -7,7 +7,7 @@ DWELL_S; an aircraft that was lost before the next failure has not recovered.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -15,7 +15,7 @@ import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.breakage import failure_times_s
-from testbed.flight.columns import row_at, stays_from
+from testbed.flight.columns import Events, Log, row_at, stays_from
 
 RECOVERED = {"altitude": 5.0, "heading": 15.0}
 """Largest distance from the reference at which the aircraft counts as recovered [m, deg]. Gusts of moderate turbulence alone
@@ -26,22 +26,17 @@ UNITS = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}
 """Units, as in the names of the log's columns, of the quantities that follow references."""
 
 
-def tracking_error(log: Mapping[str, np.ndarray], quantity: str) -> np.ndarray:
+def tracking_error(log: Log, quantity: str) -> np.ndarray:
     """[rows] altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
     unit = UNITS[quantity]
     error: np.ndarray = log[f"{quantity}_{unit}"] - log[f"{quantity}_command_{unit}"]
     return wrap_deg(error) if quantity == "heading" else error
 
 
-def recoveries(
-    log: Mapping[str, np.ndarray], failures_s: Sequence[float], survived: bool
-) -> list[tuple[float, float | None]]:
+def recoveries(log: Log, failures_s: Sequence[float], survived: bool) -> list[tuple[float, float | None]]:
     """(time at which a failure began, time at which the aircraft had recovered from it or None) of each failure [s].
 
-    Args:
-        log: columns by name, each [rows].
-        failures_s: times at which failures began, in order [s].
-        survived: whether the aircraft was flown to the end.
+    `failures_s` are the times at which failures began, in order [s]; `survived` says whether the aircraft was flown to the end.
     """
     time = log["time_s"]
     # A value that is not a number compares as false, so it does not count as within the limits.
@@ -56,9 +51,7 @@ def recoveries(
     return found
 
 
-def recovery_events(
-    log: Mapping[str, np.ndarray], injections: Iterable[Mapping[str, Any]], survived: bool
-) -> Iterator[dict[str, Any]]:
+def recovery_events(log: Log, injections: Events, survived: bool) -> Iterator[dict[str, Any]]:
     """An event for each failure from which the aircraft recovered; `after_s` is the time since that failure began."""
     for begin, recovered in recoveries(log, failure_times_s(injections), survived):
         if recovered is not None:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.common.angles import wrap_deg
-from testbed.flight.columns import row_at, row_spacing_s, stays_from, stretches
+from testbed.flight.columns import Log, row_at, row_spacing_s, stays_from, stretches
 from testbed.flight.robustness import (
     Side,
     always,
@@ -17,10 +17,10 @@ from testbed.flight.robustness import (
     extreme,
     never_outside_for,
     outside,
+    robustness,
     scaled,
     sides_of,
 )
-from testbed.flight.temporal import robustness
 from testbed.scenario.requirement import Requirement
 
 _ENDED = "the flight ended before this window did"
@@ -31,7 +31,7 @@ _NOT_SETTLED = "it was outside at the end of the window"
 
 def judge(
     requirements: Sequence[Requirement],
-    log: Mapping[str, np.ndarray],
+    log: Log,
     metrics: Mapping[str, float],
     duration_s: float = math.inf,
     unjudged: Collection[str] = (),
@@ -57,12 +57,24 @@ def judge(
         duration_s: how long the flight was to be [s].
         unjudged: metrics and signals of which the controller said nothing.
     """
-    return [
-        _not_judged(requirement)
-        if not about(requirement).isdisjoint(unjudged)
-        else _judge(requirement, log, metrics, duration_s)
-        for requirement in requirements
-    ]
+    verdicts: list[dict[str, Any]] = []
+    for requirement in requirements:
+        if judged := about(requirement).isdisjoint(unjudged):
+            found = _found(requirement, log, metrics, duration_s)
+        else:
+            found = _Found(math.nan, math.nan, reason=_UNSAID)
+        verdicts.append(
+            {
+                "name": requirement.title,
+                "passed": bool(found.margin >= 0.0) if judged else None,
+                "value": found.value,
+                "limit": requirement.limit,
+                "margin": found.margin,
+                "robustness": found.robustness,
+                "reason": found.reason,
+            }
+        )
+    return verdicts
 
 
 def about(requirement: Requirement) -> set[str]:
@@ -72,18 +84,7 @@ def about(requirement: Requirement) -> set[str]:
     }
 
 
-def _not_judged(requirement: Requirement) -> dict[str, Any]:
-    numbers = dict.fromkeys(("value", "margin", "robustness"), math.nan)
-    return {
-        "name": requirement.title,
-        "passed": None,
-        "limit": requirement.limit,
-        **numbers,
-        "reason": _UNSAID,
-    }
-
-
-def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | None:
+def worst_s(requirement: Requirement, log: Log) -> float | None:
     """When a signal was furthest outside of its limits, or nearest to them [s]; None for a formula, and if no row has a number."""
     if requirement.formula is not None:
         return None
@@ -96,73 +97,58 @@ def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | 
     return float(log["time_s"][rows][known[np.argmin(nearest)]])
 
 
-class _Verdict(NamedTuple):
+class _Found(NamedTuple):
     robustness: float
     margin: float = -math.inf
     value: float = math.nan
     reason: str = ""
 
 
-def _judge(
-    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float], duration_s: float
-) -> dict[str, Any]:
+def _found(requirement: Requirement, log: Log, metrics: Mapping[str, float], duration_s: float) -> _Found:
     if requirement.metric is not None:
-        found = _of_metric(requirement, float(metrics[requirement.metric]))
-    elif requirement.formula is not None:
-        found = _of_formula(requirement, log, duration_s)
-    else:
-        found = _of_signal(requirement, log, duration_s)
-    return {
-        "name": requirement.title,
-        "passed": bool(found.margin >= 0.0),
-        "value": found.value,
-        "limit": requirement.limit,
-        "margin": found.margin,
-        "robustness": found.robustness,
-        "reason": found.reason,
-    }
+        return _of_metric(requirement, float(metrics[requirement.metric]))
+    if requirement.formula is not None:
+        return _of_formula(requirement, log, duration_s)
+    return _of_signal(requirement, log, duration_s)
 
 
-def _of_metric(requirement: Requirement, metric: float) -> _Verdict:
+def _of_metric(requirement: Requirement, metric: float) -> _Found:
     if not math.isfinite(metric):
-        return _Verdict(-1.0, reason=_NO_NUMBER)
+        return _Found(-1.0, reason=_NO_NUMBER)
     sides = sides_of(requirement, np.array([metric]))
-    return _Verdict(always(scaled(sides)), *extreme(sides))
+    return _Found(always(scaled(sides)), *extreme(sides))
 
 
-def _of_formula(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
+def _of_formula(requirement: Requirement, log: Log, duration_s: float) -> _Found:
     """Of the first row: the formula's robustness is the value and, divided by `scale`, the requirement's."""
     node, time = requirement.parsed, log["time_s"]
     found = robustness(node, log, 1.0 / (row_spacing_s(time) or math.inf)) if len(time) else time
     if not len(found):
-        return _Verdict(-_not_flown(requirement, time, duration_s), reason=_ENDED)
+        return _Found(-_not_flown(requirement, time, duration_s), reason=_ENDED)
     value = float(found[0])
     if not math.isfinite(value):
-        return _Verdict(-1.0, reason=_NO_NUMBER)
-    return _Verdict(value / (requirement.scale or 1.0), value, value)
+        return _Found(-1.0, reason=_NO_NUMBER)
+    return _Found(value / (requirement.scale or 1.0), value, value)
 
 
-def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
+def _of_signal(requirement: Requirement, log: Log, duration_s: float) -> _Found:
     time = log["time_s"]
     rows = _window(requirement, time)
     values = _values(requirement, log, rows)
     known = np.isfinite(values)
     if _cut_short(requirement, time) or rows.start >= rows.stop:
-        return _Verdict(
-            _of_part(requirement, values[known], time) - _not_flown(requirement, time, duration_s),
-            reason=_ENDED,
-        )
+        not_flown = _not_flown(requirement, time, duration_s)
+        return _Found(_of_part(requirement, values[known], time) - not_flown, reason=_ENDED)
     if not known.all():
-        return _Verdict(
-            _of_part(requirement, values[known], time) - float(np.mean(~known)), reason=_NO_NUMBER
-        )
+        no_number = float(np.mean(~known))
+        return _Found(_of_part(requirement, values[known], time) - no_number, reason=_NO_NUMBER)
     sides = sides_of(requirement, values)
     robustness = _robustness(requirement, sides, time)
     if requirement.never_for_longer_than_s is not None:
-        return _Verdict(robustness, *_longest_outside(requirement, sides, time))
+        return _Found(robustness, *_longest_outside(requirement, sides, time))
     if requirement.settles_by_s is not None:
-        return _Verdict(robustness, *_settling(requirement, log))
-    return _Verdict(robustness, *extreme(sides, best=bool(requirement.eventually)))
+        return _Found(robustness, *_settling(requirement, log))
+    return _Found(robustness, *extreme(sides, best=bool(requirement.eventually)))
 
 
 def _window(requirement: Requirement, time: np.ndarray) -> slice:
@@ -184,7 +170,7 @@ def _not_flown(requirement: Requirement, time: np.ndarray, duration_s: float) ->
     return 1.0 - float(flown) if flown < 1.0 else 1.0
 
 
-def _values(requirement: Requirement, log: Mapping[str, np.ndarray], rows: slice) -> np.ndarray:
+def _values(requirement: Requirement, log: Log, rows: slice) -> np.ndarray:
     """[rows] the signal, or its difference from `of`."""
     values = log[str(requirement.signal)][rows]
     if requirement.within is not None:
@@ -225,7 +211,7 @@ def _longest_outside(
     return (margin if rows > _rows_allowed(requirement, time) else max(0.0, margin)), longest
 
 
-def _settling(requirement: Requirement, log: Mapping[str, np.ndarray]) -> tuple[float, float, str]:
+def _settling(requirement: Requirement, log: Log) -> tuple[float, float, str]:
     """(margin, value, reason): the time of the first row after which the limits are kept to the end of the window [s]."""
     time = log["time_s"]
     rows = slice(0, _window(requirement, time).stop)

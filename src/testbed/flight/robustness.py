@@ -1,4 +1,5 @@
-"""How far the rows of a signal are inside the limits of a requirement, and its robustness: that as one signed number.
+"""How far the rows of a signal are inside the limits of a requirement, and its robustness: that as one signed number. And the
+robustness of a formula (`scenario.formula`).
 
 It is that of signal temporal logic (Fainekos and Pappas, Robustness of temporal logic specifications, 2009; Donze and Maler,
 Robust satisfaction of temporal logic over real-valued signals, 2010): an `and` is a minimum, an `or` a maximum, "always" a
@@ -7,12 +8,20 @@ minimum over time and "eventually" a maximum. It is negative where the limits ar
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+import operator
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from testbed.flight.columns import Log
+from testbed.scenario.formula import Node
 from testbed.scenario.requirement import Requirement
+
+_ARITHMETIC: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": np.divide,
+}  # fmt: skip
 
 
 def always(distances: np.ndarray) -> float:
@@ -84,3 +93,66 @@ def outside(sides: Sequence[Side]) -> np.ndarray:
     """[rows] whether any limit is broken."""
     kept: np.ndarray = np.all([side.inside >= 0.0 for side in sides], axis=0)
     return ~kept
+
+
+def robustness(node: Node, log: Log, rate_hz: float) -> np.ndarray:
+    """[rows] robustness of a formula, in the unit of what it compares: 0 or more where it holds. The log has `rate_hz` rows/s.
+
+    A row is judged from those that follow it, only where its windows end within the log; so a formula over a shorter log has fewer
+    rows, and perhaps none.
+    """
+    if node.form == "above":
+        upper, lower = (_values(part, log) for part in node.parts)
+        return np.asarray(upper - lower)
+    parts = [robustness(part, log, rate_hz) for part in node.parts]
+    if node.form in ("and", "or"):
+        rows = min(map(len, parts))
+        return np.asarray(
+            (np.minimum if node.form == "and" else np.maximum).reduce([p[:rows] for p in parts])
+        )
+    if node.form == "not":
+        return -parts[0]
+    if node.form == "until":
+        return _until(parts[0], parts[1], node.window, rate_hz)
+    sign = 1.0 if node.form == "eventually" else -1.0
+    return sign * _largest_ahead(sign * parts[0], node.window, rate_hz)
+
+
+def _largest_ahead(values: np.ndarray, window: tuple[float, float], rate_hz: float) -> np.ndarray:
+    """The largest value from the beginning to the end of a window after each row; shorter by the window."""
+    first = round(window[0] * rate_hz)
+    values = values[first:]
+    if window[1] == math.inf:
+        return np.maximum.accumulate(values[::-1])[::-1]
+    rows = round(window[1] * rate_hz) - first + 1
+    return largest_of(values, rows) if len(values) >= rows else values[:0]
+
+
+def _until(before: np.ndarray, then: np.ndarray, window: tuple[float, float], rate_hz: float) -> np.ndarray:
+    """The largest, over the window, of the lesser of `then` and the least of `before` until there (Donze and Maler 2010)."""
+    rows = min(len(before), len(then))
+    first = round(window[0] * rate_hz)
+    last = rows - 1 if window[1] == math.inf else round(window[1] * rate_hz)
+    judged = rows - (first if window[1] == math.inf else last)
+    if judged <= 0:
+        return before[:0]
+    best, least = np.full(judged, -math.inf), np.full(judged, math.inf)
+    for ahead in range(last + 1):
+        held = min(judged, rows - ahead)  # without an end the window is shorter for later rows
+        if ahead >= first:
+            best[:held] = np.maximum(best[:held], np.minimum(then[ahead : ahead + held], least[:held]))
+        least[:held] = np.minimum(least[:held], before[ahead : ahead + held])
+    return best
+
+
+def _values(node: Node, log: Log) -> np.ndarray:
+    """[rows] of a part that is a number at each time."""
+    if node.form == "column":
+        return log[node.name]
+    if node.form == "number":
+        return np.full(len(log["time_s"]), node.value)
+    parts = [_values(part, log) for part in node.parts]
+    if node.form == "abs":
+        return np.abs(parts[0])
+    with np.errstate(all="ignore"):  # what is no number is said of the requirement
+        return _ARITHMETIC[node.form](parts[0], parts[1])

@@ -7,14 +7,14 @@ have a value here.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+from typing import Annotated, Any, Literal, Union
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Discriminator, Field, Tag
 
 from testbed.aircraft.shape import Shape
 from testbed.common.signals import RATES
+from testbed.flight.events import LIMITS
 from testbed.flight.flight import Outcome
-from testbed.flight.loss import LIMITS
 from testbed.inputs.base import NonNegative, Number, Positive, Whole, one_line
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
@@ -31,7 +31,7 @@ class _Part(BaseModel):
 
 
 class Event(_Part):
-    """What every event has."""
+    """What every event has; one of another kind is shown by its kind alone."""
 
     time_s: NonNegative
     kind: _Word
@@ -41,7 +41,6 @@ class Event(_Part):
 class Injection(Event):
     """A failure begins or ends."""
 
-    kind: Literal["injection"]
     failure: Whole = 0
     type: _Word = ""
     active: _Flag = True
@@ -51,7 +50,6 @@ class Injection(Event):
 class Detection(Event):
     """An actuator that is broken was flagged."""
 
-    kind: Literal["detection"]
     actuator: _Word
     delay_s: Number
 
@@ -59,28 +57,24 @@ class Detection(Event):
 class FalseAlarm(Event):
     """An actuator was flagged that is not broken."""
 
-    kind: Literal["false_alarm"]
     actuator: _Word
 
 
 class Release(Event):
     """A controlled rate was given up."""
 
-    kind: Literal["release"]
     axis: Literal[RATES]  # type: ignore[valid-type]
 
 
 class Recovered(Event):
     """The aircraft recovered from a failure."""
 
-    kind: Literal["recovered"]
     after_s: Number
 
 
 class Diagnosis(Event):
     """What the controller said."""
 
-    kind: Literal["diagnosis"]
     text: _Word
 
 
@@ -99,18 +93,13 @@ class _AtStop(_Part):
 class Lost(Event):
     """The aircraft was lost."""
 
-    kind: Literal["lost"]
     limits: tuple[_Passed, ...]
     at_stop: tuple[_AtStop, ...]
 
 
-class Other(Event):
-    """An event that is shown by its kind alone."""
-
-
 _BY_KIND: dict[str, type[Event]] = {
     "injection": Injection, "detection": Detection, "false_alarm": FalseAlarm, "release": Release,
-    "recovered": Recovered, "diagnosis": Diagnosis, "lost": Lost, "other": Other,
+    "recovered": Recovered, "diagnosis": Diagnosis, "lost": Lost, "other": Event,
 }  # fmt: skip
 
 
@@ -119,13 +108,10 @@ def _kind(event: Any) -> str:
     return kind if isinstance(kind, str) and kind in _BY_KIND else "other"
 
 
-if TYPE_CHECKING:
-    AnyEvent = Event
-else:
-    AnyEvent = Annotated[
-        Union[tuple(Annotated[model, Tag(kind)] for kind, model in _BY_KIND.items())],  # noqa: UP007
-        Discriminator(_kind),
-    ]
+_AnyEvent: Any = Annotated[
+    Union[tuple(Annotated[model, Tag(kind)] for kind, model in _BY_KIND.items())],  # noqa: UP007
+    Discriminator(_kind),
+]
 
 
 class Verdict(_Part):
@@ -155,7 +141,7 @@ class Summary(_Part):
 
     outcome: Outcome
     end_time_s: NonNegative
-    events: tuple[AnyEvent, ...]
+    events: tuple[_AnyEvent, ...]  # type: ignore[valid-type]
     requirements: tuple[Verdict, ...]
     metrics: Annotated[dict[str, _Known], Field(max_length=500)]
     actuators: Annotated[tuple[Facts, ...], Field(max_length=100)]

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from testbed.flight.loss import at_stops
+from testbed.flight.events import at_stops
 from testbed.metrics.flight_view import Readings
 
 

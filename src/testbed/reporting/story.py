@@ -15,8 +15,8 @@ import numpy as np
 from testbed.common.signals import BELIEFS, Belief
 from testbed.flight.breakage import ActiveFailure, broken, failures_of
 from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
+from testbed.flight.events import LIMITS
 from testbed.flight.flight import Flight
-from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
 from testbed.reporting.noticing import noticed_s, signs, unnoticed
