@@ -20,7 +20,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from testbed.aircraft.description import Aircraft, Servo, load_aircraft
-from testbed.common.frames import level_pitch
+from testbed.common.angles import level_pitch
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight

@@ -20,7 +20,7 @@ from mission_list import BASE, MISSIONS, Condition, Mission, chosen
 from scipy.optimize import least_squares
 
 from testbed.aircraft.description import Aircraft, Servo, load_aircraft
-from testbed.common.frames import level_pitch
+from testbed.common.angles import level_pitch
 from testbed.failures import Capture, Failure
 from testbed.inputs.yaml_source import parse
 from testbed.plant.jsbsim import Plant

@@ -14,7 +14,7 @@ import numpy as np
 
 from testbed.air.config import COLUMNS, Atmosphere, Gust, TurbulenceChange, severity
 from testbed.air.turbulence import Sampled, Turbulence
-from testbed.common.frames import body_from_ned, body_from_wind
+from testbed.common.angles import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
 from testbed.common.signals import first_step_at, longer
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from testbed.common.bracketed_root import bracketed_root
+from testbed.common.roots import bracketed_root
 from testbed.inputs.problems import BadInput, Problem
 
 PROPELLER_POINTS = 41

@@ -132,19 +132,15 @@ def _hold_back(limits: Limits) -> None:
         import resource
     except ImportError:  # not on this system
         return
-    most = {
-        resource.RLIMIT_CORE: 0,
-        resource.RLIMIT_CPU: limits.processor_s,
-        resource.RLIMIT_AS: limits.memory_bytes,
-    }
+    most = {resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: limits.processor_s}
+    most[resource.RLIMIT_AS] = limits.memory_bytes
     if not limits.writes_files:
         most[resource.RLIMIT_FSIZE] = 0
     for what, limit in most.items():
         _, hard = resource.getrlimit(what)
         lower = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
-        resource.setrlimit(
-            what, (lower, hard)
-        )  # the soft limit sends the signal that tells that time ran out
+        # The soft limit sends the signal that tells that time ran out.
+        resource.setrlimit(what, (lower, hard))
 
 
 def end_with_parent(lifeline: int) -> None:

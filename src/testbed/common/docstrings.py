@@ -12,17 +12,18 @@ from typing import Any
 
 def first_line(thing: Any) -> str:
     """First line of the docstring of a function or class; "" if it has none. With `python -OO` it is read from the source."""
-    return (thing.__doc__ or _in_source(thing)).strip().partition("\n")[0]
+    definition = None if thing.__doc__ else _definition(thing)
+    text = ast.get_docstring(definition) if definition else thing.__doc__
+    return (text or "").strip().partition("\n")[0]
 
 
-def _in_source(thing: Any) -> str:
+def _definition(thing: Any) -> ast.FunctionDef | ast.ClassDef | None:
+    """Where a function or class is defined; None if its source is not there, or is no definition."""
     try:
         (definition,) = ast.parse(textwrap.dedent(inspect.getsource(thing))).body
-    except (OSError, TypeError, SyntaxError, ValueError):  # its source is not there, or is no definition
-        return ""
-    if not isinstance(definition, ast.FunctionDef | ast.ClassDef):
-        return ""
-    return ast.get_docstring(definition) or ""
+    except (OSError, TypeError, SyntaxError, ValueError):
+        return None
+    return definition if isinstance(definition, ast.FunctionDef | ast.ClassDef) else None
 
 
 def field_docstrings(kind: type) -> dict[str, str]:
@@ -35,18 +36,9 @@ def field_docstrings(kind: type) -> dict[str, str]:
 @cache
 def _fields_of(kind: type) -> dict[str, str]:
     """The docstring below each field that a class defines itself; cached, because Python reads a whole module for it."""
-    try:
-        (definition,) = ast.parse(textwrap.dedent(inspect.getsource(kind))).body
-    except (OSError, TypeError, SyntaxError, ValueError):
-        return {}
-    return _below(definition) if isinstance(definition, ast.ClassDef) else {}
-
-
-def _below(definition: ast.ClassDef) -> dict[str, str]:
-    found = {}
-    for field, after in pairwise(definition.body):
-        is_field = isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+    found, definition = dict[str, str](), _definition(kind)
+    for field, after in pairwise(definition.body if definition else ()):
         is_text = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
-        if is_field and is_text:
+        if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name) and is_text:
             found[field.target.id] = " ".join(str(after.value.value).split())  # type: ignore[attr-defined]
     return found

@@ -8,23 +8,26 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import pickle
 import shutil
 import time
+import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
 import numpy as np
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 from testbed.common.cache import Cache
-from testbed.common.jit_cache import CodeCache
 from testbed.common.jit_program import Function
 from testbed.common.private import is_private, private_folder
 
 F = TypeVar("F", bound=Callable[..., Any])
 LONGEST_WAIT_S = 60.0
 """How long a process waits for another one that compiles. A control law takes ten seconds, on a busy machine thirty."""
+_CRC_BYTES = 4
 
 
 def _cache_folder() -> Path | None:
@@ -95,6 +98,63 @@ def _take(lock: Callable[[], None]) -> None:
             time.sleep(0.05)
 
 
+class _CheckedFiles(IndexDataCacheFile):
+    """The files in which numba keeps compiled code, with a CRC-32 at the end of what is pickled, so that damage to them costs time
+    and nothing else.
+
+    numba reads a cut or empty file as it is: unpickling fails, in every later process, until somebody removes the file. And code
+    that a power cut has replaced by zeros would be executed. Here what cannot be read is thrown away, compiled again and written
+    anew; what cannot be written is compiled again in the next process.
+    """
+
+    def _dump(self, value: Any) -> bytes:
+        data: bytes = super()._dump(value)
+        return data + _crc(data)
+
+    def _load_data(self, name: str) -> Any:
+        content = Path(self._data_path(name)).read_bytes()
+        data, crc = content[:-_CRC_BYTES], content[-_CRC_BYTES:]
+        if crc != _crc(data):
+            raise ValueError(f"{name} is damaged")
+        return pickle.loads(data)
+
+
+class _CodeCache(FunctionCache):
+    """The compiled code of one function, on disk.
+
+    Args:
+        folder: one that belongs to the contents of all sources. In it the code is found again whatever the path and the time of
+            the source file, as after an installation anew. None: where numba looks for it, by path and time.
+    """
+
+    def __init__(self, function: Callable[..., Any], folder: Path | None = None) -> None:
+        super().__init__(function)
+        stamp = self._cache_file._source_stamp
+        if folder is not None:
+            self._cache_path, stamp = str(folder / function.__module__), ()
+            with contextlib.suppress(OSError):
+                Path(self._cache_path).mkdir(exist_ok=True)
+        self._cache_file = _CheckedFiles(self._cache_path, self._impl.filename_base, stamp)
+
+    def load_overload(self, signature: Any, target_context: Any) -> Any:
+        """The code for a signature; None if there is none, or none that can be read."""
+        try:
+            return super().load_overload(signature, target_context)
+        except Exception:  # of pickle, of numba, or of what was unpickled: a damaged file can raise anything
+            with contextlib.suppress(OSError):
+                self.flush()
+            return None
+
+    def save_overload(self, signature: Any, code: Any) -> None:
+        """Keep the code for a signature; without effect where nothing can be written, as on a full disk."""
+        with contextlib.suppress(OSError):
+            super().save_overload(signature, code)
+
+
+def _crc(data: bytes) -> bytes:
+    return zlib.crc32(data).to_bytes(_CRC_BYTES, "little")
+
+
 def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
     if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
@@ -102,7 +162,7 @@ def compiled(function: F) -> F:
     made = Function(function)
     if _FOLDER is not None:
         ours = _OURS and function.__module__.startswith("testbed.")
-        cache = CodeCache(function, _FOLDER if ours else None)
+        cache = _CodeCache(function, _FOLDER if ours else None)
         made._cache = cache  # type: ignore[attr-defined]  # no public way to give numba another
     return made  # type: ignore[no-any-return, return-value]
 

@@ -44,9 +44,7 @@ class Estimate:
 
     WORTH_IT = 20  # functions
     FIRST = 0.25  # of the length of all parts: from here on the estimate is within a third of what it takes
-    TRANSLATION = (
-        0.7  # of the time of a program; the rest is optimisation and machine code, which come at its end
-    )
+    TRANSLATION = 0.7  # of the time; the rest is optimisation and machine code, which come at its end
 
     def __init__(self) -> None:
         self.tell: Callable[[float], None] | None = None

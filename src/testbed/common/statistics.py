@@ -7,6 +7,7 @@ independent draws; for these the intervals tend to be too wide, not too narrow.
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
@@ -15,6 +16,8 @@ import numpy as np
 from scipy import stats
 
 CONFIDENCE = 0.95
+_RESAMPLES = 4000
+_MOST = 10**15  # runs that are looked for
 Method = Literal["wilson", "exact"]
 
 
@@ -108,9 +111,6 @@ def rate(events: int, exposure: float, confidence: float = CONFIDENCE) -> Mean:
     return Mean(events / exposure, float(low) / (2.0 * exposure), float(high) / (2.0 * exposure), confidence)
 
 
-_RESAMPLES = 4000
-
-
 def mean(values: Sequence[float], confidence: float = CONFIDENCE) -> Mean:
     """The mean of independent values, or of differences by pairs, with the percentile interval of the bootstrap (Efron 1979).
 
@@ -186,10 +186,4 @@ def runs_for_half_width(estimate: float, half_width: float, confidence: float = 
 
 def _least(low: int, enough: Callable[[int], bool]) -> int:
     """The least number from `low` on that is enough, as all greater ones are."""
-    high = low + 1
-    while not enough(high):
-        low, high = high, 2 * high
-    while low < high:
-        middle = (low + high) // 2
-        low, high = (low, middle) if enough(middle) else (middle + 1, high)
-    return low
+    return bisect_left(range(_MOST), True, low, key=enough)

@@ -22,8 +22,8 @@ import numpy as np
 
 from testbed.aircraft.changes import ROTATION, model_folder
 from testbed.aircraft.description import Aircraft
+from testbed.common.angles import body_from_ned
 from testbed.common.cache import Cache
-from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.plant.first_load import assure

@@ -14,9 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from testbed.aircraft.description import Aircraft, AnyActuator, Servo
+from testbed.common.angles import level_pitch
 from testbed.common.cache import Cache
-from testbed.common.frames import level_pitch
-from testbed.common.nearest_root import SMALLEST, NearestRoot
+from testbed.common.roots import SMALLEST, NearestRoot
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.first_load import property_catalog
 from testbed.plant.jsbsim import Plant

@@ -22,7 +22,7 @@ import numpy as np
 
 from testbed.aircraft.description import AnyActuator
 from testbed.aircraft.design_model import DesignModel
-from testbed.common.frames import body_from_ned
+from testbed.common.angles import body_from_ned
 from testbed.common.signals import STATE
 from testbed.common.units import GRAVITY_M_S2, METRES_PER_FOOT, METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.problems import BadInput, Problem

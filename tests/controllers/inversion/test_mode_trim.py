@@ -239,7 +239,7 @@ def test_motion_is_that_of_a_point_in_a_steady_turn() -> None:
     """Kinematics by hand: in a level, coordinated turn the heading changes at g tan(bank) / V and nothing climbs."""
     bank, alpha = 0.4, 0.1
     rate = 9.80665 * math.tan(bank) / V
-    from testbed.common.frames import level_pitch
+    from testbed.common.angles import level_pitch
 
     pitch = level_pitch(alpha, 0.0, bank)
     p, q, r = (

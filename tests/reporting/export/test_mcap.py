@@ -12,7 +12,7 @@ import pytest
 from mcap.reader import make_reader
 from scipy.spatial.transform import Rotation
 
-from testbed.common.frames import body_from_ned
+from testbed.common.angles import body_from_ned
 from testbed.flight.flight import Flight
 from testbed.reporting.export import export
 from testbed.reporting.export.mcap import rotation

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from testbed.common.frames import body_from_ned
+from testbed.common.angles import body_from_ned
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink

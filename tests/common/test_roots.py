@@ -1,4 +1,5 @@
-"""The nearest root: closed forms with fewer, as many and more unknowns than equations, and with bounds."""
+"""The nearest root: closed forms with fewer, as many and more unknowns than equations, and with bounds. Roots in a bracket are
+those of scipy's `brentq`, to the last bit."""
 
 from __future__ import annotations
 
@@ -6,8 +7,11 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import brentq
 
-from testbed.common.nearest_root import NearestRoot
+from testbed.common.roots import NearestRoot, bracketed_root
 
 FAR = 10.0
 
@@ -96,3 +100,23 @@ def test_a_way_that_leaves_the_roots_for_good_ends_at_the_last_one() -> None:
     )
     found = problem.find(np.zeros(2), 1e-9, thorough=False)
     assert abs(problem.function(found)[0]) < 1e-9 and found[0] <= 1.0 + 1e-6
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.floats(-3, 3), st.floats(0.01, 50), st.lists(st.floats(-5, 5), min_size=3, max_size=12))
+def test_is_that_of_scipy(root: float, scale: float, slopes: list[float]) -> None:
+    """Of a table with corners, rising or not, and of a smooth function."""
+    values = np.cumsum(np.abs(slopes) + 0.1)
+    grid = np.linspace(-3.1, 3.1, len(values))
+    at_root = float(np.interp(root, grid, values))
+    for function in (
+        lambda x: scale * (float(np.interp(x, grid, values)) - at_root) * (1.0 + x * x),
+        lambda x: scale * (math.exp(x) - math.exp(root)),
+    ):
+        if function(-3.1) * function(3.1) < 0.0:
+            assert bracketed_root(function, -3.1, 3.1) == brentq(function, -3.1, 3.1)
+
+
+@pytest.mark.parametrize(("low", "high"), [(0.0, 1.0), (-1.0, 0.0)])
+def test_a_root_at_an_end(low: float, high: float) -> None:
+    assert bracketed_root(lambda x: x, low, high) == 0.0 == brentq(lambda x: x, low, high)
