@@ -305,7 +305,7 @@ def _message(fly: bool, begin: Callable[[str], None]) -> str:
     """Fly by hand as messages say, each refused in words or carried out."""
     from testbed.inputs.problems import BadInput
     from testbed.live.choices import Choices
-    from testbed.live.line import Line
+    from testbed.live.copies import Line
     from testbed.live.messages import read
     from testbed.live.pilot import Pilot
     from testbed.scenario.load import load_scenario

@@ -56,11 +56,11 @@ def run(options: Namespace) -> int:
         raise BadInput(problems)
     with listener:
         with working("preparing"):
-            server = LiveServer(listener, page)
             choices = Choices(options.scenario, scenario, controller, options.controller)
-            pilot = Aloft(lambda line: Pilot(choices, line, _keep), server.tell)
+            pilot = Aloft(lambda line: Pilot(choices, line, _keep))
+            server = LiveServer(listener, page, pilot)
         with tidily():
-            server.run(pilot, partial(_ready, server.address, not options.no_browser))
+            server.run(partial(_ready, server.address, not options.no_browser))
     return MET
 
 

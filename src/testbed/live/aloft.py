@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.live.copies import done_in
-from testbed.live.line import Line
+from testbed.live.copies import Line, done_in
 from testbed.live.pilot import Pilot
 
 Tell = Callable[[bytes | dict[str, Any]], object]
@@ -31,9 +30,10 @@ class Aloft:
         last_saved: the run folder that was written last; None if none was.
     """
 
-    def __init__(self, pilot: Callable[[Line], Pilot], tell: Tell) -> None:
+    _tell: Tell
+
+    def __init__(self, pilot: Callable[[Line], Pilot]) -> None:
         """`pilot` is called in the new process. Raises BadInput if it does."""
-        self._tell = tell
         self._line, theirs = Line.pair()
         self._child = os.fork()
         if not self._child:
@@ -51,8 +51,9 @@ class Aloft:
         self._numbers, self._ended, self._gone = count(), False, False
         self._thread = threading.Thread(target=self._listen, name="pilot", daemon=True)
 
-    def start(self) -> None:
+    def start(self, tell: Tell) -> None:
         """Begin to listen."""
+        self._tell = tell
         self._thread.start()
 
     @property

@@ -50,17 +50,15 @@ class Choices:
 
     def flight(self, flight: str, controller: str, sensors: str = AS_GIVEN) -> LiveFlight:
         """A new flight of a scenario or an aircraft by a controller with sensors, each one of `names`; raises BadInput."""
-        flights = self.names["scenarios"] + self.names["aircraft"]
-        asked = (
-            ("flight", flight, flights),
-            ("controller", controller, self.names["controllers"]),
-            ("sensors", sensors, self.names["sensors"]),
-        )
-        for kind, given, known in asked:
+        names = self.names
+        for kind, given, known in (
+            ("flight", flight, names["scenarios"] + names["aircraft"]),
+            ("controller", controller, names["controllers"]),
+            ("sensors", sensors, names["sensors"]),
+        ):
             if given not in known:
-                raise BadInput(
-                    [Problem(f"there is no {kind} {given!r}", "choose", None, "", *guess(given, known))]
-                )
+                what = f"there is no {kind} {given!r}"
+                raise BadInput([Problem(what, "choose", None, "", *guess(given, known))])
         scenario = self._chosen(flight)
         if sensors != AS_GIVEN:
             scenario = changed(scenario, {"sensors": sensors})

@@ -48,10 +48,9 @@ class LiveFlight:
 
     def _begun(self, ghost: str | None = None) -> LongSession:
         """A new flight of which there is something to see; by the controller of a ghost, if one is named."""
-        if ghost is None:
-            session = LongSession(self._scenario, self._controller)
-        else:
-            session = LongSession(changed(self._scenario, {"controller": {"type": ghost}}))
+        own = ghost is None
+        scenario = self._scenario if own else changed(self._scenario, {"controller": {"type": ghost}})
+        session = LongSession(scenario, self._controller if own else None)
         session.step()
         return session
 
@@ -61,17 +60,14 @@ class LiveFlight:
         return self._scenario.rate_hz
 
     def fly(self, steps: int) -> None:
-        """Fly this many control steps, if the flight goes on."""
-        if self.session.ended is None and steps > 0:
-            _fly(self.session, self.session.loop.done + steps, self.rate_hz)
-            self._fly_ghosts()
-
-    def _fly_ghosts(self) -> None:
-        """Bring the ghosts to where the flight is. One that cannot go on stays where it is, and the flight goes on."""
-        for session in self.ghosts.values():
-            if session.ended is None and session.loop.stopped_by is None:
+        """Fly this many control steps, if the flight goes on. A ghost that cannot go on stays where it is."""
+        if self.session.ended is not None or steps <= 0:
+            return
+        _fly(self.session, self.session.loop.done + steps, self.rate_hz)
+        for ghost in self.ghosts.values():
+            if ghost.ended is None and ghost.loop.stopped_by is None:
                 with contextlib.suppress(Exception):
-                    _fly(session, self.session.loop.done, self.rate_hz)
+                    _fly(ghost, self.session.loop.done, self.rate_hz)
 
     def do(self, act: Act) -> None:
         """Do something to the flight, from the next control step on; raises BadInput, and then nothing has changed."""
@@ -132,9 +128,7 @@ class LiveFlight:
         """Fly a new flight up to a control step, and do on the way what was done."""
         for step, act in acts:
             _fly_far(session, step, self.rate_hz, go_on)
-            with contextlib.suppress(
-                BadInput
-            ):  # what was done to a flight that goes on can come too late for a ghost
+            with contextlib.suppress(BadInput):  # to a flight that goes on, but too late for a ghost
                 _carry_out(session, act)
         _fly_far(session, until, self.rate_hz, go_on)
 
@@ -163,7 +157,7 @@ def _carry_out(session: Session, act: Act) -> None:
             assert_never(act)
 
 
-def _fly_far(session: Session, until: int, rate_hz: int, go_on: Callable[[], bool]) -> None:
+def _fly_far(session: Session, until: int, rate_hz: int, go_on: GoOn) -> None:
     while session.loop.done < until and session.ended is None and go_on():
         _fly(session, min(until, session.loop.done + _AT_ONCE), rate_hz)
 

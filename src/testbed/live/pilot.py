@@ -13,9 +13,8 @@ from typing import Any, NamedTuple
 from testbed.inputs.problems import BadInput, Problem
 from testbed.live import frames
 from testbed.live.choices import Choices
-from testbed.live.copies import Copies
+from testbed.live.copies import Copies, Line
 from testbed.live.flight import LONGEST_S, LiveFlight
-from testbed.live.line import Line
 from testbed.live.messages import Act, Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
 from testbed.reporting.flight import ReportedFlight
 from testbed.simulation.session import Session
@@ -59,16 +58,20 @@ class Pilot:
         self._choices, self._line, self._keep = choices, line, keep
         self._copies = Copies()
         self._watched, self._paused, self._times = False, False, 1.0
-        self._state: dict[str, Any] = {}
-        self._teller: Line | None = None
         self._take_off(choices.flight(**choices.given), choices.given)
 
     def _take_off(self, flight: LiveFlight, chosen: dict[str, str]) -> None:
-        self.flight, self._error = flight, ""
+        self.flight = flight
         choices = {"choices": self._choices.names, "chosen": chosen}
         self._line.say(("facts", frames.facts(flight.session) | choices))
+        self._begin_to_tell()
+
+    def _begin_to_tell(self) -> None:
+        """Nothing has been told of this flight."""
+        self._error, self._next_story_s = "", 0.0
+        self._state: dict[str, Any] = {}
         self._told: dict[str, Any] = {"story": [], "events": []}
-        self._next_story_s, self._teller = 0.0, None
+        self._teller: Line | None = None
 
     def tell(self, what: bytes | dict[str, Any]) -> None:
         """Send a frame or a note to all pages."""
@@ -112,17 +115,15 @@ class Pilot:
 
     def _take(self, wait_s: float) -> bool:
         """Carry out the next message, if one comes within this time; returns whether one came. Raises EOFError after the last."""
-        heard = self._line.hear(wait_s)
-        if heard is None:
-            return False
-        if heard[0] == "look":
-            self._watched = heard[1]
-        else:
-            _, number, message = heard
-            self._answer(number, lambda: self._do(number, message))
-        self._publish(
-            True, monotonic()
-        )  # a page that has just come sees something, too, while time stands still
+        match self._line.hear(wait_s):
+            case None:
+                return False
+            case ("look", watched):
+                self._watched = watched
+            case (_, number, message):
+                self._answer(number, lambda: self._do(number, message))
+        # A page that has just come sees something, too, while time stands still.
+        self._publish(True, monotonic())
         return True
 
     def _answer(self, number: int, act: Callable[[], object]) -> None:
@@ -184,8 +185,7 @@ class Pilot:
         if woken is None:
             return False
         self._watched, self._paused, self._times = woken[-3:]
-        self._error, self._state, self._next_story_s, self._teller = "", {}, 0.0, None
-        self._told = {"story": [], "events": []}
+        self._begin_to_tell()
         self._answer(woken.number, lambda: self._go_on(woken))
         self._publish(True, monotonic())
         return True

@@ -10,12 +10,11 @@ import secrets
 import signal
 import socket
 from collections.abc import Callable
-from contextlib import AbstractAsyncContextManager
 from http import HTTPStatus
 from typing import Any
 from urllib.parse import parse_qs, quote, urlsplit
 
-from websockets.asyncio.server import Server, ServerConnection, broadcast, serve
+from websockets.asyncio.server import ServerConnection, broadcast, serve
 from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
@@ -51,49 +50,39 @@ def listening(port: int) -> socket.socket:
         return listener
     except (OSError, OverflowError) as error:
         why = getattr(error, "strerror", None) or str(error)
-        raise BadInput(
-            [Problem(f"port {port} cannot be had: {why}", "--port", expected="a free one")]
-        ) from None
+        what = f"port {port} cannot be had: {why}"
+        raise BadInput([Problem(what, "--port", expected="a free one")]) from None
 
 
 class LiveServer:
     """Gives browsers the page, the pilot's frames to all of them, and the messages of the first of them to the pilot."""
 
-    def __init__(self, listener: socket.socket, page: Callable[[dict[str, Any], str], str]) -> None:
+    _loop: asyncio.AbstractEventLoop
+
+    def __init__(
+        self, listener: socket.socket, page: Callable[[dict[str, Any], str], str], pilot: Aloft
+    ) -> None:
         """`page` makes the page, given the pilot's facts and the address to which it connects."""
         self._listener, self._token = listener, secrets.token_urlsafe(24)
         port = listener.getsockname()[1]
         self._hosts = [f"{_HOST}:{port}", f"localhost:{port}"]
-        self._page = page
+        self._page, self._pilot = page, pilot
         self.address = f"http://{self._hosts[0]}/?token={self._token}"
         self._here: list[ServerConnection] = []
-        self._loop: asyncio.AbstractEventLoop | None = None
-        self._pilot: Aloft | None = None
 
-    def run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
+    def run(self, ready: Callable[[], object]) -> None:
         """Serve until a signal ends it; `ready` is called once browsers can connect. Raises KeyboardInterrupt then."""
-        asyncio.run(self._run(pilot, ready))
+        asyncio.run(self._run(ready))
         raise KeyboardInterrupt
 
-    async def _run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
-        self._loop, self._pilot = asyncio.get_running_loop(), pilot
+    async def _run(self, ready: Callable[[], object]) -> None:
+        self._loop = asyncio.get_running_loop()
         ended = asyncio.Event()
         # A KeyboardInterrupt could come in the middle of a callback of asyncio's, which would then wait for ever for its end.
         heeded = [each for each in _SIGNALS if callable(signal.getsignal(each))]
         for number in heeded:
             self._loop.add_signal_handler(number, ended.set)
-        async with self._serving():
-            pilot.start()
-            try:
-                ready()
-                await ended.wait()
-            finally:
-                for number in heeded:  # another one does not wait
-                    self._loop.remove_signal_handler(number)
-                await asyncio.to_thread(pilot.end)
-
-    def _serving(self) -> AbstractAsyncContextManager[Server]:
-        return serve(
+        async with serve(
             self._with_page,
             sock=self._listener,
             origins=[Origin(f"http://{host}") for host in self._hosts],
@@ -106,7 +95,15 @@ class LiveServer:
             ping_interval=_LIVES_S,
             ping_timeout=_LIVES_S,
             server_header=None,
-        )
+        ):
+            self._pilot.start(self._tell)
+            try:
+                ready()
+                await ended.wait()
+            finally:
+                for number in heeded:  # another one does not wait
+                    self._loop.remove_signal_handler(number)
+                await asyncio.to_thread(self._pilot.end)
 
     # HTTP -----------------------------------------------------------------------------------------------------
 
@@ -125,35 +122,30 @@ class LiveServer:
         if not hmac.compare_digest(given.encode(), self._token.encode()):
             return _response(HTTPStatus.FORBIDDEN, "open the address that testbed live has printed\n")
         if address.path == "/":
-            assert self._pilot is not None
             text = self._page(self._pilot.facts, f"ws://{hosts[0]}")
             return _response(HTTPStatus.OK, text, "text/html")
         if address.path == "/report.html":
             return self._report()
-        return (
-            None if address.path == "/flight" else _response(HTTPStatus.NOT_FOUND, "there is nothing here\n")
-        )
+        if address.path == "/flight":
+            return None
+        return _response(HTTPStatus.NOT_FOUND, "there is nothing here\n")
 
     def _report(self) -> Response:
         """The report of what was saved last, as a file to keep: it replays the flight, and needs no other."""
-        saved = self._pilot.last_saved if self._pilot is not None else None
-        try:
-            data = (saved / "report.html").read_bytes() if saved is not None else b""
-        except OSError:
-            data = b""
-        if saved is None or not data:
-            return _response(HTTPStatus.NOT_FOUND, "no report has been saved\n")
-        answer = _response(HTTPStatus.OK, data, "text/html")
-        answer.headers["Content-Disposition"] = f'attachment; filename="{quote(saved.name)}.html"'
-        return answer
+        saved = self._pilot.last_saved
+        with contextlib.suppress(OSError):
+            if saved is not None and (data := (saved / "report.html").read_bytes()):
+                answer = _response(HTTPStatus.OK, data, "text/html")
+                answer.headers["Content-Disposition"] = f'attachment; filename="{quote(saved.name)}.html"'
+                return answer
+        return _response(HTTPStatus.NOT_FOUND, "no report has been saved\n")
 
     # Pages ----------------------------------------------------------------------------------------------------
 
-    def tell(self, what: bytes | dict[str, Any]) -> None:
+    def _tell(self, what: bytes | dict[str, Any]) -> None:
         """Send a frame or a note to every page; from any thread."""
-        if self._loop is not None:
-            with contextlib.suppress(RuntimeError):  # the server has ended
-                self._loop.call_soon_threadsafe(self._send_all, what)
+        with contextlib.suppress(RuntimeError):  # the server has ended
+            self._loop.call_soon_threadsafe(self._send_all, what)
 
     def _send_all(self, what: bytes | dict[str, Any]) -> None:
         ready = self._here
@@ -162,7 +154,6 @@ class LiveServer:
         broadcast(ready, what if isinstance(what, bytes) else json.dumps(what))
 
     async def _with_page(self, connection: ServerConnection) -> None:
-        assert self._pilot is not None
         if len(self._here) >= _MOST_PAGES:
             await connection.close(1013, "too many pages")
             return
@@ -180,7 +171,6 @@ class LiveServer:
 
     def _roles(self) -> None:
         """Tell each page whether it flies or looks on, and the pilot whether there is one."""
-        assert self._pilot is not None
         self._pilot.look(bool(self._here))
         for each in self._here:
             self._say(each, {"note": "role", "flies": each is self._here[0]})
@@ -190,7 +180,6 @@ class LiveServer:
 
     async def _answered(self, connection: ServerConnection, text: str | bytes) -> dict[str, Any]:
         """Carry out a message; returns the answer."""
-        assert self._pilot is not None
         number = None
         try:
             message = read(text)
