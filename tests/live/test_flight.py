@@ -85,7 +85,7 @@ def test_an_earlier_flight_flies_again_what_was_done_since(live: LiveFlight) -> 
     acts, kept = list(live.acts), log(live)
     live.rewind(500 / live.rate_hz)
     assert live.acts == acts[:1]
-    live.fly_again(acts, 1201)
+    live.fly_again(acts, 1201, [])
     assert live.acts == acts and log(live).tobytes() == kept.tobytes()
     assert live.can_be_copied
 

@@ -94,7 +94,7 @@ START = (200.0, 18.0, 300.0, 0.0)
 
 def test_no_flight_begins_where_there_is_no_trim(vtail_copy: Path) -> None:
     with pytest.raises(NoTrim, match=r"no steady flight of vtail was found at 9 m/s"):
-        check_start(load_aircraft(str(vtail_copy)), 200.0, 9.0, 300.0, 0.0)
+        check_start(load_aircraft(str(vtail_copy)), (200.0, 9.0, 300.0, 0.0))
 
 
 def test_what_is_known_is_not_tried_again(
@@ -103,14 +103,14 @@ def test_what_is_known_is_not_tried_again(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     caches.forget()
     aircraft = load_aircraft(str(vtail_copy))
-    check_start(aircraft, *START)
+    check_start(aircraft, START)
     monkeypatch.setattr("testbed.plant.trim.trimmed_start", lambda *_: pytest.fail("trimmed again"))
-    check_start(aircraft, *START)
+    check_start(aircraft, START)
     with pytest.raises(BaseException, match="trimmed again"):
-        check_start(aircraft, 200.0, 18.5, 300.0, 0.0)
+        check_start(aircraft, (200.0, 18.5, 300.0, 0.0))
 
 
 def test_a_design_model_that_is_none_is_bad_input(vtail_copy: Path) -> None:
     (vtail_copy / "design_model.json").write_text("{}")
     with pytest.raises(BadInput, match=r"design_model\.json: is no design model"):
-        check_start(load_aircraft(str(vtail_copy)), *START)
+        check_start(load_aircraft(str(vtail_copy)), START)

@@ -19,7 +19,10 @@ from typing import Any
 import numpy as np
 
 _POINTS, _SIZES = 500, (2, 4, 8, 12, 24)
-_SAID = {"matrices": "kernel", "functions": "library"}
+_SAID = {
+    "matrices": ("kernel", "the BLAS kernel"),
+    "functions": ("library", "the C library or the processor"),
+}
 """Each digest, and what is said of it where it differs."""
 _VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
 
@@ -55,10 +58,9 @@ def differences(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[s
 
 def _other_digits(before: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[str]:
     """What calculates otherwise; nothing where it was not recorded, as by earlier versions."""
-    for digits, source in _SAID.items():
+    for digits, (source, what) in _SAID.items():
         if digits in before and digits in now and before[digits] != now[digits]:
             names = f"{before.get(source, 'unknown')}, this is {now.get(source, 'unknown')}"
-            what = "the BLAS kernel" if digits == "matrices" else "the C library or the processor"
             yield f"other last digits of {digits}, which depend on {what}: {names}"
 
 

@@ -84,18 +84,14 @@ def _one_at_a_time() -> Iterator[None]:
             import fcntl
 
             lock = held.enter_context(open(Path(_FOLDER or os.devnull) / "lock", "a"))
-            _take(lambda: fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB))
+            end = time.monotonic() + LONGEST_WAIT_S
+            while time.monotonic() < end:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    break
+                except BlockingIOError:
+                    time.sleep(0.05)
         yield
-
-
-def _take(lock: Callable[[], None]) -> None:
-    """Try for a lock that another process may hold, for `LONGEST_WAIT_S` at most."""
-    end = time.monotonic() + LONGEST_WAIT_S
-    while time.monotonic() < end:
-        try:
-            return lock()
-        except BlockingIOError:
-            time.sleep(0.05)
 
 
 class _CheckedFiles(IndexDataCacheFile):

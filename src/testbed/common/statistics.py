@@ -41,9 +41,6 @@ class Proportion(_Known):
     confidence: float
     method: str
 
-    def __str__(self) -> str:
-        return f"{self.estimate:.3f} ({self.low:.3f} to {self.high:.3f})"
-
 
 def proportion(
     successes: int, n: int, confidence: float = CONFIDENCE, method: Method = "wilson"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -129,26 +130,18 @@ class Columns(Mapping[str, np.ndarray]):
     """The columns that every log has by name, each [rows] computed when it is read: all of a long flight are a gigabyte."""
 
     def __init__(
-        self,
-        aircraft: Aircraft,
-        rate_hz: float,
-        recorded: Recorded,
-        read: Callable[[], object],
-        every: int = 1,
+        self, aircraft: Aircraft, rate_hz: float, recorded: Recorded, read: Callable[[], object], every: int
     ) -> None:
         """`read` is called whenever some control steps of `recorded` have been read; a row is each `every`-th of them."""
         self._columns = {column.name: column for column in _columns(aircraft)}
         self._rate_hz, self._recorded, self._read, self._every = rate_hz, recorded, read, every
-        self._kept: dict[str, np.ndarray] = {}
+        self._kept = lru_cache(_MOST_KEPT)(self._computed)
 
     def __getitem__(self, name: str) -> np.ndarray:
-        values = self._kept.pop(name, None)
-        self._kept[name] = self._computed(self._columns[name]) if values is None else values
-        while len(self._kept) > _MOST_KEPT:
-            del self._kept[next(iter(self._kept))]
-        return self._kept[name]
+        return self._kept(name)
 
-    def _computed(self, column: _Column) -> np.ndarray:
+    def _computed(self, name: str) -> np.ndarray:
+        column = self._columns[name]
         every, steps = self._every, len(self._recorded.truth)
         values = np.empty(-(-steps // every))
         for start in range(0, len(values), _MOST_READ):

@@ -18,9 +18,11 @@ from testbed.common.text import cell, text_of
 from testbed.common.writing import replacing, write
 from testbed.flight.damage import refuse_damaged
 from testbed.flight.flight import Flight
-from testbed.flight.summary import checked
+from testbed.flight.summary import Summary
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import read_json, refuse_links
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
@@ -118,7 +120,7 @@ def flight_from(
 
     Raises BadInput, with the file in which it is, for what a flight has not.
     """
-    said = checked(contents, str(summary_file))
+    said = validated(Summary, Source(str(summary_file), contents))
     plain = said.model_dump(mode="json", exclude_unset=True, exclude={"shape"})
     actuators = {facts.pop("name"): facts for facts in plain["actuators"]}
     flight = Flight(

@@ -16,8 +16,6 @@ from testbed.common.signals import RATES
 from testbed.flight.events import LIMITS
 from testbed.flight.flight import Outcome
 from testbed.inputs.base import NonNegative, Number, Positive, Whole, one_line
-from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import Source
 
 _Flag = Annotated[bool, Field(strict=True)]
 _Word = Annotated[str, Field(strict=True)]
@@ -150,8 +148,3 @@ class Summary(_Part):
     flown_by: _Word = ""
     flown_by_sha256: _Word = ""
     parts_sha256: dict[str, _Word] = Field(default_factory=dict, max_length=100)
-
-
-def checked(contents: Any, file: str) -> Summary:
-    """The contents of a summary, checked; raises BadInput with the place of what is wrong in the file."""
-    return validated(Summary, Source(file, contents))

@@ -6,12 +6,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import aircraft_names, files_in
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.setup import Setup
-from testbed.inputs import yaml_source
 from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.yaml_source import Source
 from testbed.live.flight import LiveFlight
 from testbed.live.messages import AS_GIVEN
 from testbed.scenario.load import changed, load_scenario, scenario_from
@@ -74,13 +73,8 @@ class Choices:
 
 def _level(aircraft: str) -> Scenario:
     """Level flight of an aircraft where it is designed."""
-    settings = {
-        "name": f"{Path(aircraft).name} by hand",
-        "aircraft": aircraft,
-        "duration_s": 60,
-        "initial": load_aircraft(aircraft).reference.model_dump(),
-    }
-    return scenario_from(yaml_source.parsed(yaml_source.dump(settings), "choose"))
+    settings = {"name": f"{Path(aircraft).name} by hand", "aircraft": aircraft, "duration_s": 60}
+    return scenario_from(Source("choose", settings))
 
 
 def _folders() -> list[str]:

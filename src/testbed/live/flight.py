@@ -95,25 +95,24 @@ class LiveFlight:
 
     def rewind(self, time_s: float, go_on: GoOn = lambda: True) -> None:
         """Go back: fly again from the beginning, with what was done by hand before that time. If given up, all stays as it was."""
-        until = self.step_at(time_s)
-        acts = [(step, act) for step, act in self.acts if step < until]
-        old = list(self._all)
-        new = [self._begun(), *map(self._begun, self.ghosts)]
-        for session in new:
-            self._fly_past(session, acts, until, go_on)
+        again = LiveFlight(self._scenario, self._controller, self.own)
+        again.fly_again(self.acts, self.step_at(time_s), list(self.ghosts), go_on)
         if go_on():
-            self.session, self.acts = new[0], acts
-            self.ghosts = dict(zip(self.ghosts, new[1:], strict=True))
-            new = old
-        for session in new:
-            session.close()
+            self.session, again.session = again.session, self.session
+            self.ghosts, again.ghosts = again.ghosts, self.ghosts
+            self.acts = again.acts
+        again.close()
 
-    def fly_again(self, acts: Sequence[tuple[int, Act]], until: int, go_on: GoOn = lambda: True) -> None:
-        """Fly on up to a control step as before, where this flight's acts are the first of those that were done by hand."""
+    def fly_again(
+        self, acts: Sequence[tuple[int, Act]], until: int, ghosts: Sequence[str], go_on: GoOn = lambda: True
+    ) -> None:
+        """Fly on up to a control step as before, where this flight's acts are the first of those that were done by hand, with these
+        ghosts beside it."""
         more = [(step, act) for step, act in acts[len(self.acts) :] if step < until]
         for session in self._all:
             self._fly_past(session, more, until, go_on)
         self.acts += more
+        self.accompany(ghosts, go_on)
 
     @property
     def can_be_copied(self) -> bool:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
+from testbed.air.config import COLUMNS as WIND
 from testbed.common.signals import RATES, Belief
 from testbed.common.units import worded
 from testbed.failures import TABLE as FAILURES
@@ -27,7 +28,6 @@ from testbed.sensors.settings import SENSORS
 from testbed.simulation.assembly import Assembly
 from testbed.simulation.session import Session
 
-_WIND = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
 _MOST_EVENTS = 200
 """Events that a page is shown, the last ones."""
 _SIZES = {"deg_s": 5.0, "deg": 3.0, "m_s2": 1.0, "m_s": 2.0, "m": 5.0}
@@ -47,7 +47,7 @@ def numbers(session: Session) -> dict[str, np.ndarray]:
     for name in parts.aircraft.actuators:
         log[response_of(name)] = response(log, name, active, failures)
     wind = parts.weather.wind[last] if len(parts.weather.wind) else np.zeros((1, 3))
-    return log | error_columns(log) | dict(zip(_WIND, wind.T, strict=True))
+    return log | error_columns(log) | dict(zip(WIND, wind.T, strict=True))
 
 
 def frame(*sessions: Session) -> bytes:

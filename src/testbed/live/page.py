@@ -27,9 +27,10 @@ def page(facts: Mapping[str, Any], address: str) -> str:
     for panel, tracked in zip(panels["panels"], TRACKED.values(), strict=True):
         limit = facts["limits"].get(tracked.reference)
         panel["limits"] = [] if limit is None else [-limit, limit]
+    chips = [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
     parts = [
         tag("h1", f"{facts['name']}, live"),
-        tag("ul", _chips(facts), class_="chips"),
+        tag("ul", chips, class_="chips"),
         _choice(facts["choices"], facts["chosen"]),
         tag("p", "connecting", id="status", role="status"),
         tag("div", [_flight(), _beside(not facts["sensors"])], class_="live"),
@@ -38,10 +39,6 @@ def page(facts: Mapping[str, Any], address: str) -> str:
     ]
     data = {"live": {**facts, "panels": [panels]}}
     return html.page_text(f"{facts['name']}, live", parts, "live.js", data, "live.css", address)
-
-
-def _chips(facts: Mapping[str, Any]) -> list[Html]:
-    return [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
 
 
 def _choice(names: Mapping[str, list[str]], chosen: Mapping[str, str]) -> Html:

@@ -8,14 +8,14 @@ import traceback
 from collections.abc import Callable
 from pathlib import Path
 from time import monotonic
-from typing import Any, NamedTuple
+from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.live import frames
 from testbed.live.choices import Choices
 from testbed.live.copies import Copies, Line
 from testbed.live.flight import LONGEST_S, LiveFlight
-from testbed.live.messages import Act, Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
+from testbed.live.messages import Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
 from testbed.reporting.flight import ReportedFlight
 from testbed.simulation.session import Session
 
@@ -30,19 +30,6 @@ _FROZEN_S = 80.0
 
 Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]
 """Writes the run folder of a flight, given its `own` controller; returns it, and the command that flies it again."""
-
-
-class _Back(NamedTuple):
-    """What a frozen copy is woken with, to go on in place of the process that was asked to go back."""
-
-    number: int
-    """Of the message that asked."""
-    step: int
-    acts: list[tuple[int, Act]]
-    ghosts: list[str]
-    watched: bool
-    paused: bool
-    times: float
 
 
 class Pilot:
@@ -167,8 +154,8 @@ class Pilot:
     def _rewind(self, number: int, time_s: float) -> None:
         """Go back. Where a frozen copy can, it goes on in place of this process, and gives the answer."""
         flight, step = self.flight, self.flight.step_at(time_s)
-        asked = (self._watched, self._paused, self._times)
-        self._copies.wake(step, _Back(number, step, flight.acts, list(flight.ghosts), *asked))
+        ghosts, asked = list(flight.ghosts), (self._watched, self._paused, self._times)
+        self._copies.wake(step, (number, step, flight.acts, ghosts, asked))
         flight.rewind(time_s, self._goes_on)
         self._error, self._next_story_s = "", 0.0
 
@@ -184,15 +171,11 @@ class Pilot:
             return False
         if woken is None:
             return False
-        self._watched, self._paused, self._times = woken[-3:]
+        number, step, acts, ghosts, (self._watched, self._paused, self._times) = woken
         self._begin_to_tell()
-        self._answer(woken.number, lambda: self._go_on(woken))
+        self._answer(number, lambda: self.flight.fly_again(acts, step, ghosts, self._goes_on))
         self._publish(True, monotonic())
         return True
-
-    def _go_on(self, back: _Back) -> None:
-        self.flight.fly_again(back.acts, back.step, self._goes_on)
-        self.flight.accompany(back.ghosts, self._goes_on)
 
     def _goes_on(self) -> bool:
         return not self._line.gone

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -28,7 +27,7 @@ from testbed.scenario.model import Scenario
 from testbed.scenario.references import references
 from testbed.sensors.sensed import Sensed
 from testbed.sensors.suite import RealSensors
-from testbed.simulation.check import check
+from testbed.simulation.check import check, start_of
 
 
 @dataclass
@@ -114,9 +113,7 @@ def without_what_fails(scenario: Scenario) -> dict[str, Any]:
 
 def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
     """Trimmed flight at the scenario's initial condition."""
-    at = scenario.initial
-    heading = math.radians(at.heading_deg)
-    return trimmed_start(aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, heading)
+    return trimmed_start(aircraft, *start_of(scenario))
 
 
 def start_and_setup(scenario: Scenario) -> tuple[Trim, Setup]:

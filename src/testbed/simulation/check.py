@@ -23,6 +23,8 @@ from testbed.plant.first_load import property_catalog
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.model import Scenario
 
+Start = tuple[float, float, float, float]
+"""Steps of the plant a second [Hz], and airspeed [m/s], altitude [m] and heading [rad] at which a flight begins."""
 _sound: Cache[Scenario] = Cache(1)
 """The scenario that was found sound last. It is kept, so that no other can have its `id`."""
 
@@ -54,10 +56,9 @@ def name_problems(scenario: Scenario, aircraft: Aircraft) -> list[Problem]:
 
 def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenario:
     """The scenario, or BadInput. Where the model cannot be loaded, names of its properties cannot be checked."""
-    at, found, named = scenario.initial, list[Problem](), scenario
-    start = (scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg))
+    found, named = list[Problem](), scenario
     try:
-        check_start(aircraft, *start, remembered=remembered)
+        check_start(aircraft, start_of(scenario), remembered=remembered)
     except BadInput as error:
         found += error.problems
         named = scenario.model_copy(update={"failures": ()})
@@ -68,15 +69,13 @@ def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenar
     return scenario
 
 
-def check_start(
-    aircraft: Aircraft,
-    physics_hz: float,
-    airspeed_m_s: float,
-    altitude_m: float,
-    heading_rad: float,
-    *,
-    remembered: bool = True,
-) -> None:
+def start_of(scenario: Scenario) -> Start:
+    """That of the flight of a scenario."""
+    at = scenario.initial
+    return scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg)
+
+
+def check_start(aircraft: Aircraft, start: Start, *, remembered: bool = True) -> None:
     """Find what a flight begins with.
 
     Args:
@@ -87,7 +86,6 @@ def check_start(
         NoTrim: there is no level flight at the initial condition, or none from which to identify a missing design model.
     """
     property_catalog(aircraft)
-    start = (physics_hz, airspeed_m_s, altitude_m, heading_rad)
     record = _record(aircraft, start) if remembered else ""
     if record and model_cache.has(record):
         return
@@ -101,7 +99,7 @@ def check_start(
         model_cache.write(record, {})
 
 
-def _record(aircraft: Aircraft, start: tuple[float, ...]) -> str:
+def _record(aircraft: Aircraft, start: Start) -> str:
     """The name of a start in the cache folder, from all that it depends on; raises BadInput for a bad stored design model."""
     file, design = aircraft.folder / DESIGN_MODEL, b""
     if file.exists():
