@@ -10,6 +10,7 @@ import contextlib
 import fcntl
 import json
 import os
+import resource
 import select
 import signal
 import subprocess
@@ -26,7 +27,7 @@ Answer = dict[str, Any]
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 _PATIENCE = 12
 """A child is waited for this many times its processor time: a busy machine slows it, and it might wait itself."""
-_OUT_OF_TIME = -getattr(signal, "SIGXCPU", 0)
+_OUT_OF_TIME = -signal.SIGXCPU
 """Exit status of a process that has used up its processor time."""
 
 
@@ -76,7 +77,7 @@ def ask(module: str, request: object, limits: Limits) -> Ended:
     finally:
         os.close(held)
         os.close(lifeline)
-    used_up = _OUT_OF_TIME and done.returncode == _OUT_OF_TIME
+    used_up = done.returncode == _OUT_OF_TIME
     overtime = f"{limits.processor_s:g} s of processor time" if used_up else ""
     return Ended(tuple(_answers(done.stdout)), done.stderr, done.returncode, overtime)
 
@@ -128,10 +129,6 @@ def answer(function: Callable[[Any], Iterable[Answer]]) -> NoReturn:
 
 def _hold_back(limits: Limits) -> None:
     """Keep this process within its limits, and let it leave no core."""
-    try:
-        import resource
-    except ImportError:  # not on this system
-        return
     most = {resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: limits.processor_s}
     most[resource.RLIMIT_AS] = limits.memory_bytes
     if not limits.writes_files:

@@ -6,6 +6,7 @@ With `NUMBA_DISABLE_JIT=1` the same functions run uncompiled, line by line, for 
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import hashlib
 import os
 import pickle
@@ -79,10 +80,8 @@ def _one_at_a_time() -> Iterator[None]:
     A process that was stopped while it compiles would keep the others waiting for ever: after `LONGEST_WAIT_S` they compile too.
     """
     with contextlib.ExitStack() as held:
-        # Where the system or the file system has no locks, each process compiles. Closing the file releases the lock.
-        with contextlib.suppress(ImportError, OSError):
-            import fcntl
-
+        # Where the file system has no locks, each process compiles. Closing the file releases the lock.
+        with contextlib.suppress(OSError):
             lock = held.enter_context(open(Path(_FOLDER or os.devnull) / "lock", "a"))
             end = time.monotonic() + LONGEST_WAIT_S
             while time.monotonic() < end:

@@ -30,8 +30,9 @@ _SHOWN = 3
 def refuse_damaged(flight: Flight, summary: str, log: str) -> None:
     """Raise BadInput for a flight that was not one, with the file, `summary` or `log`, in which this is.
 
-    The events are of failures, actuators, axes and times of the flight. The log has rows, the columns of `_needed`, and a number in
-    each of ALWAYS_KNOWN; the state of a flight that diverged may be none. Times increase up to the flight's end.
+    The events are of failures, actuators, axes and times of the flight. The log has rows, the columns of `_NEEDED` and of its
+    actuators, and a number in each of ALWAYS_KNOWN; the state of a flight that diverged may be none. Times increase up to the
+    flight's end.
     """
     for problems in (_other_events(flight, summary), _problems(flight, log)):
         if shown := list(islice(problems, _SHOWN)):
@@ -70,11 +71,14 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
     if not len(flight.data):
         yield Problem("has no rows", file, expected="the log of a flight")
         return
-    missing = [name for name in _needed(flight) if name not in flight.columns]
+    needed = [*_NEEDED, *(f"{name}_{of}" for name in flight.actuators for of in _OF_AN_ACTUATOR)]
+    missing = [name for name in needed if name not in flight.columns]
     yield from (Problem(f"has no column {name}", file, 1) for name in missing)
-    if flight.outcome is not Outcome.diverged:
-        for name in ALWAYS_KNOWN:
-            yield from _not_numbers(flight, file, name)
+    known = () if flight.outcome is Outcome.diverged else ALWAYS_KNOWN
+    for name in (name for name in known if name in flight.columns):
+        values = flight.column(name)
+        for row in np.flatnonzero(~np.isfinite(values)):  # line 1 has the names
+            yield Problem(f"is {values[row]:g}", file, int(row) + 2, name, "a finite number")
     if "time_s" not in missing:
         time_s = flight.column("time_s")
         for row in np.flatnonzero(~(np.diff(time_s) > 0.0)):
@@ -83,16 +87,3 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
         if not 0.0 <= flight.end_time_s - time_s[-1] <= step_s + _ROUNDED_S:
             what, expected = f"ends at {time_s[-1]:g} s", f"the flight's end, {flight.end_time_s:g} s"
             yield Problem(what, file, len(time_s) + 1, "time_s", expected)
-
-
-def _needed(flight: Flight) -> Iterator[str]:
-    """The columns that comparisons, verdicts and stories of a flight with these actuators rest on."""
-    yield from _NEEDED
-    for name in flight.actuators:
-        yield from (f"{name}_{of}" for of in _OF_AN_ACTUATOR)
-
-
-def _not_numbers(flight: Flight, file: str, name: str) -> Iterator[Problem]:
-    values = flight.column(name) if name in flight.columns else np.zeros(0)
-    for row in np.flatnonzero(~np.isfinite(values)):  # line 1 has the names
-        yield Problem(f"is {values[row]:g}", file, int(row) + 2, name, "a finite number")

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ctypes
 import mmap
 import os
-import sys
 from collections.abc import Iterator
 from tempfile import TemporaryFile
 from typing import Any
@@ -17,7 +16,6 @@ from typing import Any
 import numpy as np
 
 from testbed.flight.flight import Flying, Outcome
-from testbed.sensors.faults import SensorFault
 from testbed.sensors.measurement import ERROR, FAULT, OFFSET, READING, SENSED
 from testbed.simulation.conclude import so_far
 from testbed.simulation.session import Session
@@ -40,28 +38,20 @@ class LongSession(Session):
         super().__init__(*args)
         self._away, self._next = 0, 0
         self._known: dict[int, tuple[np.ndarray, object]] = {}
+        self._filled: object = None
 
     def step(self, n: int = 1) -> Outcome | None:
-        """As `Session.step`."""
+        """As `Session.step`. What `extend` and faults of sensors have filled of later rows is put away soon, too: it takes a few
+        hundred megabytes."""
         ended = super().step(n)
-        if self.loop.done >= self._next:
+        filled = (self.loop.steps, self.parts.scenario.sensors.faults)
+        if self.loop.done >= self._next or filled != self._filled:
+            self._filled = filled
             self.put_away()
         return ended
 
-    def extend(self, duration_s: float) -> None:
-        """As `Session.extend`; the next step puts away what this fills of later rows, too, a few hundred megabytes."""
-        super().extend(duration_s)
-        self._next = 0
-
-    def _fault(self, faults: tuple[SensorFault, ...]) -> None:
-        """As `Session`, and as `extend`."""
-        super()._fault(faults)
-        self._next = 0
-
     def put_away(self) -> None:
         """Put the rows of all control steps flown into a file. They stay in memory where there can be none."""
-        if sys.platform != "linux":
-            return
         known, done = self._known, self.loop.done
         self._known, self._next = {}, done + int(_KEPT_S * self.parts.scenario.rate_hz)
         try:
