@@ -55,7 +55,6 @@ def test_values_are_in_the_actuators_own_unit(actuator: str, property_value: flo
     held = stuck_at.properties(AIRCRAFT)
     (override,) = (v for name, v in held.items() if name.endswith(("override-rad", "override-norm")))
     assert override == property_value
-    assert stuck_at.unit(AIRCRAFT) == unit
     assert list(stuck_at.faults(AIRCRAFT, 200.0)) == []
     too_far: Any = failure("stuck_at", actuator, at_s=1.0, value=30.0)
     (fault,) = too_far.faults(AIRCRAFT, 200.0)

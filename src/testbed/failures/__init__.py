@@ -9,23 +9,9 @@ A new type is one class in `losses`, `held` or `varying`, and one line in TABLE.
 
 from __future__ import annotations
 
+from testbed.failures import held, losses, varying
 from testbed.failures.base import ActuatorFailure, Capture, Course, Failure, When
-from testbed.failures.held import (
-    Bias,
-    CommandScale,
-    Float,
-    Hardover,
-    Lag,
-    PositionLimit,
-    Property,
-    RateLimit,
-    Reversal,
-    Stuck,
-    StuckAt,
-)
-from testbed.failures.losses import Effectiveness, MotorStop, PropLoss, SurfaceLost
 from testbed.failures.overlaps import held_by, meet, overlaps, same_property, stream_names, windows
-from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 
 __all__ = [
     "TABLE", "ActuatorFailure", "Capture", "Course", "Failure", "When",
@@ -33,24 +19,24 @@ __all__ = [
 ]  # fmt: skip
 
 TABLE: dict[str, type[Failure]] = {
-    "effectiveness": Effectiveness,
-    "command_scale": CommandScale,
-    "stuck": Stuck,
-    "stuck_at": StuckAt,
-    "hardover": Hardover,
-    "float": Float,
-    "bias": Bias,
-    "position_limit": PositionLimit,
-    "rate_limit": RateLimit,
-    "lag": Lag,
-    "delay": Delay,
-    "oscillation": Oscillation,
-    "runaway": Runaway,
-    "reversal": Reversal,
-    "intermittent": Intermittent,
-    "decay": Decay,
-    "prop_loss": PropLoss,
-    "motor_stop": MotorStop,
-    "surface_lost": SurfaceLost,
-    "property": Property,
+    "effectiveness": losses.Effectiveness,
+    "command_scale": held.CommandScale,
+    "stuck": held.Stuck,
+    "stuck_at": held.StuckAt,
+    "hardover": held.Hardover,
+    "float": held.Float,
+    "bias": held.Bias,
+    "position_limit": held.PositionLimit,
+    "rate_limit": held.RateLimit,
+    "lag": held.Lag,
+    "delay": varying.Delay,
+    "oscillation": varying.Oscillation,
+    "runaway": varying.Runaway,
+    "reversal": held.Reversal,
+    "intermittent": varying.Intermittent,
+    "decay": varying.Decay,
+    "prop_loss": losses.PropLoss,
+    "motor_stop": losses.MotorStop,
+    "surface_lost": losses.SurfaceLost,
+    "property": held.Property,
 }

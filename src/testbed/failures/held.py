@@ -46,6 +46,7 @@ class Reversal(ActuatorFailure):
     """Commands act with the opposite sign, as with a crossed linkage: mirrored about zero deflection, not about trim."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    said: ClassVar[str] = "acted against its commands"
     type: Literal["reversal"] = "reversal"
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
@@ -54,9 +55,6 @@ class Reversal(ActuatorFailure):
     def response(self) -> float:
         return -1.0
 
-    def words(self, kind: str, unit: str) -> str:
-        return "acted against its commands"
-
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-scale"): -1.0}
 
@@ -64,12 +62,10 @@ class Reversal(ActuatorFailure):
 class Stuck(ActuatorFailure):
     """A surface keeps the position, and a motor the throttle, that it has when the failure starts."""
 
+    said: ClassVar[str] = "got stuck where it was"
     type: Literal["stuck"] = "stuck"
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = both({})
-
-    def words(self, kind: str, unit: str) -> str:
-        return "got stuck where it was"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         if self.is_servo(aircraft):
@@ -82,13 +78,11 @@ class Stuck(ActuatorFailure):
 class StuckAt(ActuatorFailure):
     """The servo moves to `value`, with its usual lag and rate, and stays there; a motor runs at throttle `value`."""
 
+    said: ClassVar[str] = "got stuck at {0.value:g} {unit}"
     type: Literal["stuck_at"] = "stuck_at"
     follows_command: ClassVar[bool] = False
     value: Number
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
-
-    def words(self, kind: str, unit: str) -> str:
-        return f"got stuck at {self.value:g} {unit}"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         value = self.inside(aircraft, self.value)
@@ -122,13 +116,11 @@ class Float(ActuatorFailure):
     """The surface floats freely: its deflection is minus `gain` times the local incidence (default: the aircraft's gain)."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    said: ClassVar[str] = "floated freely"
     type: Literal["float"] = "float"
     follows_command: ClassVar[bool] = False
     gain: Annotated[Number, Field(ge=0, le=1)] | None = None
     examples: ClassVar[Examples] = {"servo": {}}
-
-    def words(self, kind: str, unit: str) -> str:
-        return "floated freely"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         gain = {} if self.gain is None else {self.name(aircraft, "float-gain"): self.gain}
@@ -138,13 +130,11 @@ class Float(ActuatorFailure):
 class Bias(ActuatorFailure):
     """`value` is added to the deflection behind the servo, as by a bent linkage, or to the throttle command of a motor."""
 
+    said: ClassVar[str] = "was offset by {0.value:g} {unit}"
     type: Literal["bias"] = "bias"
     value: Number
     harmless: ClassVar[Mapping[str, Any]] = {"value": 0.0}
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
-
-    def words(self, kind: str, unit: str) -> str:
-        return f"was offset by {self.value:g} {unit}"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         name = self.name(aircraft, "linkage-bias-rad", "command-bias-norm")
@@ -199,6 +189,7 @@ class RateLimit(ActuatorFailure):
     """The servo moves by at most `value` per second."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    said: ClassVar[str] = "moved at no more than {0.value:g} {unit}/s"
     type: Literal["rate_limit"] = "rate_limit"
     value: Positive
     examples: ClassVar[Examples] = {"servo": {"value": 2.0}}
@@ -206,9 +197,6 @@ class RateLimit(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": actuator.rate_limit}
-
-    def words(self, kind: str, unit: str) -> str:
-        return f"moved at no more than {self.value:g} {unit}/s"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "servo-rate-rad_sec"): self.inside(aircraft, self.value)}

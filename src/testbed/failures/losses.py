@@ -46,11 +46,9 @@ class PropLoss(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("motor",)
     undone: ClassVar[bool] = False
+    said: ClassVar[str] = "came off"
     type: Literal["prop_loss"] = "prop_loss"
     examples: ClassVar[Examples] = {"motor": {}}
-
-    def words(self, kind: str, unit: str) -> str:
-        return "came off"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "effectiveness"): 0.0}
@@ -86,11 +84,9 @@ class SurfaceLost(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     undone: ClassVar[bool] = False
+    said: ClassVar[str] = "broke off"
     type: Literal["surface_lost"] = "surface_lost"
     examples: ClassVar[Examples] = {"servo": {}}
-
-    def words(self, kind: str, unit: str) -> str:
-        return "broke off"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         servo = aircraft.actuators[self.actuator]

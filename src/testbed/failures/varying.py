@@ -22,13 +22,11 @@ MAX_DELAY_S = 5.0
 class Delay(ActuatorFailure):
     """Commands arrive `delay_s` late, to the nearest control step; before the first of them the last healthy one is held."""
 
+    said: ClassVar[str] = "followed its commands {0.delay_s:g} s late"
     type: Literal["delay"] = "delay"
     delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
     harmless: ClassVar[Mapping[str, Any]] = {"delay_s": 0.0}
     examples: ClassVar[Examples] = both({"delay_s": 0.15})
-
-    def words(self, kind: str, unit: str) -> str:
-        return f"followed its commands {self.delay_s:g} s late"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         command = self.name(aircraft, "command-rad", "command-norm")
@@ -46,6 +44,9 @@ class Delay(ActuatorFailure):
 class Oscillation(ActuatorFailure):
     """A sine of `amplitude` and `frequency_hz` is added to the commands of the servo or motor."""
 
+    said: ClassVar[str] = (
+        "had a sine of {0.amplitude:g} {unit} at {0.frequency_hz:g} Hz added to its commands"
+    )
     type: Literal["oscillation"] = "oscillation"
     amplitude: NonNegative
     frequency_hz: Positive
@@ -53,9 +54,6 @@ class Oscillation(ActuatorFailure):
     examples: ClassVar[Examples] = both(
         {"amplitude": 4.0, "frequency_hz": 3.0}, {"amplitude": 0.15, "frequency_hz": 3.0}
     )
-
-    def words(self, kind: str, unit: str) -> str:
-        return f"had a sine of {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz added to its commands"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-bias-rad", "command-bias-norm"): 0.0}
