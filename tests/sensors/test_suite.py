@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -52,17 +51,12 @@ def test_the_same_flight_twice_and_another_seed() -> None:
     assert first.data.tobytes() != other.data.tobytes()
 
 
-class _Weightless:
-    def specific_force_reader(self, axis: str) -> Callable[[], float]:
-        return lambda: 0.0
-
-
 def test_a_flight_that_gets_longer_has_the_errors_of_a_long_one_and_keeps_its_memory() -> None:
     """With a fault that draws random numbers to the end. Copies of the process share what is not written again."""
     settings = Sensors.model_validate(
         {"model": "mems", "faults": [{"type": "dropout", "sensor": "gyro_q", "at_s": 1, "fraction": 0.5}]}
     )
-    whole, grown = (RealSensors(settings, _Weightless(), 200, steps, 3) for steps in (1600, 400))
+    whole, grown = (RealSensors(settings, lambda: 0.0, 200, steps, 3) for steps in (1600, 400))
     grown.table[READING, :400] = 7.0
     grown.lengthen(800)
     before = grown.table

@@ -12,19 +12,14 @@ from testbed.sensors.settings import Sensors
 from testbed.sensors.suite import RealSensors
 
 RATE = 200
+FORCE_M_S2 = 0.3
+"""What the accelerometer feels."""
 
 
 NAMES = [channel.name for channel in CHANNELS]
 
 
 SENSED = {channel.reads for channel in CHANNELS}
-
-
-class Still:
-    """A plant whose accelerometer feels 0.3 m/s2."""
-
-    def specific_force_reader(self, axis: str):
-        return lambda: 0.3
 
 
 def truth_rows(steps: int) -> np.ndarray:
@@ -38,7 +33,7 @@ def truth_rows(steps: int) -> np.ndarray:
 
 def measured(settings: object, truth: np.ndarray, seed: int = 1) -> tuple[RealSensors, np.ndarray]:
     """The sensors after a flight, and [steps, state] what the controller was told."""
-    sensors = RealSensors(Sensors.model_validate(settings), Still(), RATE, len(truth), seed)
+    sensors = RealSensors(Sensors.model_validate(settings), lambda: FORCE_M_S2, RATE, len(truth), seed)
     told = np.full((len(truth), len(STATE)), np.nan)  # so that what is not written shows
     sensors.bind(truth, told)
     for k in range(len(truth)):
@@ -52,7 +47,7 @@ def readings(settings: object, channel: str, steps: int = 400, seed: int = 1) ->
     index = NAMES.index(channel)
     sensors, _ = measured(settings, truth, seed)
     reads = CHANNELS[index].reads
-    true = truth[:, STATE.index(reads)] if reads in STATE else 0.3
+    true = truth[:, STATE.index(reads)] if reads in STATE else FORCE_M_S2
     return (sensors.table[READING, :, index] - true) / SI[CHANNELS[index].unit]
 
 

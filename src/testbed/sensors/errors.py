@@ -9,7 +9,6 @@ import numpy as np
 
 from testbed.common.jit import compiled
 from testbed.common.random_streams import generator
-from testbed.sensors.channels import CHANNELS, channels_of
 from testbed.sensors.faults import SensorFault, Span
 from testbed.sensors.settings import SensorModel
 
@@ -61,31 +60,14 @@ def correlate(x, correlation):
 
 
 def enter(
-    fault: SensorFault, index: int, rate_hz: float, seed: int, offset: np.ndarray, state: np.ndarray
+    fault: SensorFault, rate_hz: float, stream: np.random.Generator, offset: np.ndarray, state: np.ndarray
 ) -> None:
-    """Enter a fault into two layers of the table, each [steps, channels] (see `measurement`).
+    """Enter a fault into one channel's columns [steps] of the layers OFFSET [SI] and FAULT (see `measurement`).
 
     Args:
-        index: place of the fault in the scenario; it names the fault's random stream.
-        offset: layer OFFSET [SI].
-        state: layer FAULT.
+        stream: of this fault and channel alone.
     """
-    for channel in channels_of(fault.sensor):
-        stream = generator(seed, f"sensors.fault.{index}.{CHANNELS[channel].name}")
-        enter_one(fault, channel, rate_hz, stream, offset, state)
-
-
-def enter_one(
-    fault: SensorFault,
-    channel: int,
-    rate_hz: float,
-    stream: np.random.Generator,
-    offset: np.ndarray,
-    state: np.ndarray,
-) -> None:
-    """Enter a fault into one column of the two layers; the stream is of this channel alone."""
     start, end = fault.window(rate_hz)
     window = slice(int(start), int(min(end, len(offset))))
-    count = max(window.stop - window.start, 0)
-    steps = np.arange(count) + start - fault.at_s * rate_hz
-    fault.enter(Span(steps, rate_hz, stream, offset[window, channel], state[window, channel]))
+    steps = np.arange(max(window.stop - window.start, 0)) + start - fault.at_s * rate_hz
+    fault.enter(Span(steps, rate_hz, stream, offset[window], state[window]))

@@ -6,6 +6,9 @@ not copied from the datasheets.
 
 from __future__ import annotations
 
+# A vane on a boom with a 12 bit encoder; 0.3 deg at 200 Hz.
+_VANE = {"noise_deg_rthz": 0.03, "bias_sigma_deg": 0.3, "resolution_deg": 0.088, "low_pass_rad_s": 60.0}
+
 MEMS: dict[str, dict[str, float]] = {
     # ICM-20689, BMI088 class; bias and scale as left by a calibration on the ground. 0.07 deg/s at 200 Hz.
     "gyro": {
@@ -36,13 +39,8 @@ MEMS: dict[str, dict[str, float]] = {
         "scale_error_sigma": 0.01,
         "low_pass_rad_s": 60.0,
     },
-    # A vane on a boom with a 12 bit encoder; 0.3 deg at 200 Hz.
-    "alpha": {
-        "noise_deg_rthz": 0.03, "bias_sigma_deg": 0.3, "resolution_deg": 0.088, "low_pass_rad_s": 60.0,
-    },
-    "beta": {
-        "noise_deg_rthz": 0.03, "bias_sigma_deg": 0.3, "resolution_deg": 0.088, "low_pass_rad_s": 60.0,
-    },
+    "alpha": _VANE,
+    "beta": _VANE,
     # MS5611 class: 0.15 m at 200 Hz; the wander is the effect of wind on the static pressure.
     "altitude": {
         "noise_m_rthz": 0.015,
@@ -55,4 +53,4 @@ MEMS: dict[str, dict[str, float]] = {
     "climb_rate": {"noise_m_s_rthz": 0.005, "wander_m_s": 0.1, "wander_time_s": 5.0},
     # Satellite navigation, without corrections.
     "position": {"noise_m_rthz": 0.02, "wander_m": 1.5, "wander_time_s": 100.0, "delay_s": 0.1},
-}  # fmt: skip
+}

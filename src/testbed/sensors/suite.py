@@ -3,70 +3,65 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any, Protocol
+from collections.abc import Callable, Sequence
+from typing import Any, ClassVar
 
 import numpy as np
 
 from testbed.common.angles import wrap
 from testbed.common.jit import bound
+from testbed.common.random_streams import generator
 from testbed.common.signals import STATE, as_records, begins_within, room_for
-from testbed.sensors.channels import CHANNELS, channels_of, logged
+from testbed.sensors.channels import CHANNELS, Channel, channels_of, logged
 from testbed.sensors.errors import drawn, enter
 from testbed.sensors.faults import SensorFault
 from testbed.sensors.measurement import ERROR, FAULT, LAYERS, OFFSET, PARAMETERS, READING, SENSED, measure
-from testbed.sensors.settings import SensorModel, SensorSettings
+from testbed.sensors.settings import SensorSettings
 
 _NAMES = tuple(channel.name for channel in CHANNELS)
-_BLOCK = (
-    10_000  # control steps that are compared at a time: most faults change a reading in the first of them
-)
+_BLOCK = 10_000
+"""Control steps that are compared at a time: most faults change a reading in the first of them."""
 
 
-class Accelerated(Protocol):
-    """What sensors need of the plant beyond its truth row."""
-
-    def specific_force_reader(self, axis: str) -> Callable[[], float]: ...
-
-
-class RealSensors:
-    """Sensors with errors and faults. All random numbers of the flight are drawn when this is made.
-
-    Ideal sensors need none of it: `plant.envelope.observe` copies the truth to the measured state.
+class Bank:
+    """Channels of sensors with errors and faults. All random numbers of the flight are drawn when it is made or lengthened.
 
     Attributes:
+        channels: what is measured.
+        sources: columns of the truth that the channels read; a channel that reads none of them reads the specific force.
         table: [5, steps or more, channels] errors, offsets, faults, what was sensed, and what was read (see `measurement`) [SI].
     """
 
-    def __init__(
-        self, settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
-    ) -> None:
-        self.settings, self.rate_hz, self._seed = settings, float(rate_hz), seed
-        self._channels = np.zeros(len(CHANNELS), PARAMETERS)
-        self._lagged = np.zeros(len(CHANNELS))
-        self._force = plant.specific_force_reader("x")
-        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
+    channels: ClassVar[Sequence[Channel]]
+    sources: ClassVar[Sequence[str]]
+
+    def __init__(self, settings: SensorSettings, rate_hz: int, steps: int, seed: int) -> None:
+        self.settings, self.rate_hz, self.seed = settings, rate_hz, seed
+        n = len(self.channels)
+        self.constants, self.lagged = np.zeros(n, PARAMETERS), np.zeros(n)
+        self.table = np.zeros((LAYERS, steps, n))
         self._steps = 0
         self.lengthen(steps)
 
     def lengthen(self, steps: int) -> None:
-        """Take more control steps: the errors of a longer flight begin with those so far. Call `bind` again after it.
+        """Take more control steps: the errors of a longer flight begin with those so far.
 
         What is there, but for faults, is not written again, and is shared by copies of this process. So the table has room, as
         `longer` gives it.
         """
-        so_far, rate_hz, new = self.table, round(self.rate_hz), slice(self._steps, steps)
+        so_far, new = self.table, slice(self._steps, steps)
         if so_far.shape[1] < steps:
-            self.table = np.zeros((LAYERS, room_for(steps), len(CHANNELS)))
+            self.table = np.zeros((LAYERS, room_for(steps), len(self.channels)))
             self.table[:, : self._steps] = so_far[:, : self._steps]
         self._steps = steps
-        for i, channel in enumerate(CHANNELS):
-            model = self.settings.of(channel.sensor)
-            scale, error = drawn(channel.name, model, steps, rate_hz, self._seed)
+        for i, channel in enumerate(self.channels):
+            model, reads = self.settings.of(channel.sensor), channel.reads
+            scale, error = drawn(channel.name, model, steps, self.rate_hz, self.seed)
             self.table[ERROR, new, i] = error[new]
-            reads = channel.reads
-            source = STATE.index(reads) if reads in STATE else -1
-            self._channels[i] = parameters(source, model, scale, rate_hz, reads == "heading")
+            source = self.sources.index(reads) if reads in self.sources else -1
+            lag = 1.0 - math.exp(-model.low_pass_rad_s / self.rate_hz) if model.low_pass_rad_s else 1.0
+            delay = round(model.delay_s * self.rate_hz)
+            self.constants[i] = source, lag, scale, delay, model.si("resolution"), reads == "heading"
         self._enter_faults(0)
 
     def fault(self, settings: SensorSettings, step: int) -> None:
@@ -78,21 +73,50 @@ class RealSensors:
         """Enter the faults from this control step on. Earlier rows stay as they are: they may be in a file, see `live.long`."""
         if not self.settings.faults:
             return
-        layers = np.zeros((2, self._steps, len(CHANNELS)))
-        for i, fault in enumerate(self.settings.faults):
-            enter(fault, i, round(self.rate_hz), self._seed, *layers)
+        layers = np.zeros((2, self._steps, len(self.channels)))
+        for index, fault in enumerate(self.settings.faults):
+            for i, channel in enumerate(self.channels):
+                if self._has(channel, fault):
+                    stream = generator(self.seed, f"sensors.fault.{index}.{channel.name}")
+                    enter(fault, self.rate_hz, stream, *layers[:, :, i])
         self.table[OFFSET, first : self._steps], self.table[FAULT, first : self._steps] = layers[:, first:]
 
+    def _has(self, channel: Channel, fault: SensorFault) -> bool:
+        """Whether this channel has the fault."""
+        return fault.sensor in (channel.name, channel.sensor)
+
+
+class RealSensors(Bank):
+    """The sensors of which the measured state is made.
+
+    Ideal sensors need none of it: `plant.envelope.observe` copies the truth to the measured state.
+
+    Args:
+        force: reads the specific force along body x from the plant [m/s2].
+    """
+
+    channels, sources = CHANNELS, STATE
+
+    def __init__(
+        self, settings: SensorSettings, force: Callable[[], float], rate_hz: int, steps: int, seed: int
+    ) -> None:
+        super().__init__(settings, rate_hz, steps, seed)
+        self._force = force
+
     def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
-        """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""
+        """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled.
+
+        Call it again after `lengthen`.
+        """
         readings = as_records(self.table[READING], _NAMES)
         state = as_records(measured, STATE)
-        self._parts = (truth, self._channels, self._lagged, self.table, readings, state)
-        self._measure = bound(measure, 0, 0.0, self.rate_hz, self._parts)
+        self._parts = (truth, self.constants, self.lagged, self.table, readings, state)
+        self._rate = float(self.rate_hz)
+        self._measure = bound(measure, 0, 0.0, self._rate, self._parts)
 
     def measure(self, step: int) -> None:
         """Fill all of this step's row of the measured state from its row of truth."""
-        self._measure(step, self._force(), self.rate_hz, self._parts)
+        self._measure(step, self._force(), self._rate, self._parts)
 
     def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
         """Columns of the log beyond those of ideal sensors, in the rows of `truth`."""
@@ -120,7 +144,7 @@ class RealSensors:
     def _changed(self, fault: SensorFault, start: int, end: int) -> bool:
         """Whether any reading in the window differs by more than half a digit from that of a sensor without faults."""
         for c in channels_of(fault.sensor):
-            channel = self._channels[c]
+            channel = self.constants[c]
             for first in range(start, end, _BLOCK):
                 steps = np.arange(first, min(first + _BLOCK, end))
                 difference = (
@@ -132,12 +156,3 @@ class RealSensors:
                 if not np.all(np.abs(difference) <= max(0.5 * channel["digit"], 1e-12) * (1.0 + 1e-9)):
                     return True
         return False
-
-
-def parameters(
-    source: int, model: SensorModel, scale: float, rate_hz: float, circular: bool = False
-) -> tuple[float, ...]:
-    """The constants of a channel that reads this column of the truth, in the order of `measurement.PARAMETERS`."""
-    lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
-    delay = round(model.delay_s * rate_hz)
-    return source, lag, scale, delay, model.si("resolution"), circular

@@ -79,12 +79,13 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         setup = replace(setup, truth=Truth(plant, injector))
     sensors = None
     if not scenario.sensors.is_ideal:
-        sensors = RealSensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed)
+        force = plant.specific_force_reader("x")
+        sensors = RealSensors(scenario.sensors, force, scenario.rate_hz, scenario.steps, scenario.seed)
     plan = FlightPlan(scenario.seed, without_what_fails(scenario))
     made = make_controller(replace(setup, plan=plan), controller)
     sensed = None
     if getattr(made, "senses", False):
-        sensed = Sensed(sensors, scenario.sensors, plant, scenario.rate_hz, scenario.seed)
+        sensed = Sensed(sensors, plant.air_and_ground_reader(), scenario.rate_hz)
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,

@@ -204,7 +204,7 @@ class Session:
             self._planned = self.parts.scenario = altered(self._planned, sensors=settings)
             sensors.fault(settings, self.loop.done)
             if self.parts.sensed is not None:
-                self.parts.sensed.fault(settings)
+                self.parts.sensed.fault(settings, self.loop.done)
 
     def _replan(self, plan: Sequence[Planned]) -> None:
         """Take other failures. What is healthy is as it was before the flight, whatever holds the properties now."""
