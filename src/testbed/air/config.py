@@ -14,10 +14,9 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 from testbed.common.units import METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, after, refuse
 
-# Wind at 20 ft for each of MIL-F-8785C's words for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
-_WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
-# JSBSim's index of probability of exceedance for each, which sets the intensity above 2000 ft.
-_SEVERITY = {"light": 3, "moderate": 4, "severe": 6}
+# For each of MIL-F-8785C's words for turbulence the wind at 20 ft, in knots (3.7.3.1, figure of low-altitude intensities), and
+# JSBSim's index of probability of exceedance, which sets the intensity above 2000 ft.
+_WORDS = {"light": (15.0, 3), "moderate": (30.0, 4), "severe": (45.0, 6)}
 
 Vector = tuple[Number, Number, Number]
 PARTS = ("u", "v", "w", "p")
@@ -116,7 +115,7 @@ class Atmosphere(Settings):
         word = info.data.get("turbulence")
         if word is None:
             return w20
-        meant = _WORDS_KT[word] * METRES_PER_SECOND_PER_KNOT
+        meant = _WORDS[word][0] * METRES_PER_SECOND_PER_KNOT
         if w20 not in (0.0, meant):
             raise refuse(f"is {w20:g}, and turbulence is {word}, which is {meant:.4g}", "one of the two")
         return meant
@@ -160,7 +159,7 @@ def severity(w20_m_s: float) -> int:
     if not w20_m_s:
         return 0
     knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
-    return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]
+    return min(_WORDS.values(), key=lambda word: abs(word[0] - knots))[1]
 
 
 class WindChange(Settings):

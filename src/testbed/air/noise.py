@@ -52,7 +52,6 @@ def with_coefficients(noise: np.ndarray, coefficients: Sequence[float]) -> np.nd
     made = np.array(noise)
     for i, wanted in enumerate(coefficients):
         basis = cosine(i, len(made))
-        made += (
-            wanted - np.sum(basis * made)
-        ) * basis  # not @, whose last bit depends on the number of threads
+        # not @, whose last bit depends on the number of threads
+        made += (wanted - np.sum(basis * made)) * basis
     return made

@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +14,9 @@ from testbed.air.dryden import across, along, intensities_and_lengths, rolling_i
 from testbed.air.noise import white_noise
 from testbed.common.jit import bound, compiled
 from testbed.common.signals import STATE, longer
+
+if TYPE_CHECKING:
+    from testbed.plant.jsbsim import Plant
 
 _ALTITUDE, _AIRSPEED, _HEADING = map(STATE.index, ("altitude", "airspeed", "heading"))
 _LEAST_AIRSPEED_M_S = 1.0
@@ -34,19 +36,6 @@ _RECORD = np.dtype(
 )
 
 
-class Sampled(Protocol):
-    """What turbulence needs of the plant: its last sample, its span, and a way to set the air (see `plant.jsbsim.Plant`)."""
-
-    raw: np.ndarray
-    factors: np.ndarray
-    air_factors: np.ndarray
-
-    def sample(self) -> None: ...
-    @property
-    def span_m(self) -> float: ...
-    def blow(self, air: Iterable[float]) -> None: ...
-
-
 class Turbulence:
     """Gusts of one flight, which build up from zero.
 
@@ -57,7 +46,7 @@ class Turbulence:
             [m/s, north, east, down].
     """
 
-    def __init__(self, settings: Atmosphere, plant: Sampled, rate_hz: int, steps: int, seed: int) -> None:
+    def __init__(self, settings: Atmosphere, plant: Plant, rate_hz: int, steps: int, seed: int) -> None:
         self._plant, self._blow = plant, plant.blow
         self._rate_hz, self._seed = rate_hz, seed
         w20 = settings.turbulence_w20_m_s

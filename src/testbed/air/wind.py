@@ -8,24 +8,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from testbed.air.config import COLUMNS, Atmosphere, Gust, TurbulenceChange, severity
-from testbed.air.turbulence import Sampled, Turbulence
+from testbed.air.turbulence import Turbulence
 from testbed.common.angles import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
 from testbed.common.signals import first_step_at, longer
 
-
-class Air(Sampled, Protocol):
-    """What weather needs of the plant."""
-
-    def set_wind(self, ned_m_s: np.ndarray) -> None: ...
-    def set_turbulence(self, w20_m_s: float, severity: int, seed: int | None) -> None: ...
-    def total_wind(self) -> tuple[float, float, float]: ...
-    def air_data(self) -> tuple[float, float, float, float, float, float]: ...
+if TYPE_CHECKING:
+    from testbed.plant.jsbsim import Plant
 
 
 class Weather:
@@ -41,7 +35,7 @@ class Weather:
         wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
 
-    def __init__(self, settings: Atmosphere, plant: Air, rate_hz: int, steps: int, seed: int) -> None:
+    def __init__(self, settings: Atmosphere, plant: Plant, rate_hz: int, steps: int, seed: int) -> None:
         self.settings, self.plant, self.rate_hz, self.seed = settings, plant, rate_hz, seed
         self.next_step = math.inf if settings.is_calm else 0
         self._steps = steps
@@ -133,15 +127,9 @@ class Weather:
     def _put_gusts(self, step: int) -> None:
         gusty = self._blowing(step)
         if gusty or self._gusty:
-            self._put(self._steady + self._gust(step))
+            put = self.plant.set_wind if self._turbulence is None else self._turbulence.over
+            put(self._steady + self._gust(step))
         self._gusty = gusty
-
-    def _put(self, mean_m_s: np.ndarray) -> None:
-        """Set the wind without turbulence."""
-        if self._turbulence is None:
-            self.plant.set_wind(mean_m_s)
-        else:
-            self._turbulence.over(mean_m_s)
 
     def _blowing(self, step: int) -> bool:
         """Whether any gust has begun and is not over."""
