@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 from testbed.reliability import failure_probability
-from testbed.reliability.importance import AboutPoints
+from testbed.reliability.mixture import AboutPoints
 
 LINEAR = limit_states.linear(20, 1e-5)
 

@@ -80,8 +80,8 @@ def adaptive(asked: Asked, random: np.random.Generator, cov: float) -> FailurePr
 
 def _drawn(asked: Asked, run: Run, random: np.random.Generator, cov: float) -> tuple[Rounds, Mixture]:
     """Draw rounds until the precision is reached, or SPENT of the budget; with the last mixture fitted."""
-    rounds, first = Rounds(), _first(run, random)
-    density, last, most = first, first.parts[0], int(SPENT * asked.left)
+    rounds, (last, first) = Rounds(), _first(run, random)
+    density, most = first, int(SPENT * asked.left)
     while rounds.drawn < most and (
         rounds.drawn < LEAST or rounds.cov > TARGET * cov or rounds.heaviest > HEAVY
     ):
@@ -92,8 +92,9 @@ def _drawn(asked: Asked, run: Run, random: np.random.Generator, cov: float) -> t
     return rounds, last
 
 
-def _first(run: Run, random: np.random.Generator) -> Blend:
-    """About the failures of the subset simulation and the two levels above them, in which rarer regions are more often seen."""
+def _first(run: Run, random: np.random.Generator) -> tuple[Mixture, Blend]:
+    """The mixture fitted to the failures of the subset simulation; and its blend with those of the two levels above them, in which
+    rarer regions are more often seen."""
     about = fitted(run.failures, _equal(run.failures), _known(run), random)
     levels = [
         fitted(points, _equal(points), len(points) / CHAINED, random).wider(1.0)
@@ -102,7 +103,7 @@ def _first(run: Run, random: np.random.Generator) -> Blend:
     broad = levels[-1] if levels else about
     each = [LEVELS / len(levels)] * len(levels) if levels else []
     shares = np.array([1 - EVERYWHERE - sum(each), EVERYWHERE, *each])
-    return Blend([about, broad.broad(BROAD), *levels], shares)
+    return about, Blend([about, broad.broad(BROAD), *levels], shares)
 
 
 def _equal(points: np.ndarray) -> np.ndarray:

@@ -5,15 +5,13 @@ Schueller and Stix 1987, Structural Safety 4:293; Melchers 1989, Structural Safe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy import stats
-from scipy.special import logsumexp
 from threadpoolctl import threadpool_limits
 
 from testbed.common.statistics import CONFIDENCE
 from testbed.reliability.limit_state import Asked
+from testbed.reliability.mixture import AboutPoints
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.smallest import search_from
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
@@ -21,8 +19,6 @@ from testbed.reliability.subset_run import Run
 from testbed.reliability.surface import Search
 from testbed.reliability.weighing import Rounds, regions_missed
 
-EXPLORED = 1 / 8
-"""Points a level of the subset simulation that looks for regions, as a share of the budget."""
 BATCH = 200
 MOST_REGIONS = 8
 COVERED = 0.8
@@ -36,30 +32,6 @@ HEAVY = 0.1
 """Share of the sum that a single weight may have."""
 
 
-@dataclass
-class AboutPoints:
-    """Standard normals about the design points `centres` [k, d], drawn with the probabilities `shares` [k]."""
-
-    centres: np.ndarray
-    shares: np.ndarray
-
-    def draw(self, n: int, random: np.random.Generator) -> np.ndarray:
-        """Draw n points [n, d]."""
-        centre = self.centres[random.choice(len(self.shares), n, p=self.shares)]
-        return centre + random.standard_normal(centre.shape)
-
-    def log_ratio(self, points: np.ndarray) -> np.ndarray:
-        """Logarithm of the density over that of the standard normal, at points [n, d]."""
-        return np.asarray(logsumexp(self._exponents(points), axis=1, b=self.shares))
-
-    def likeliest(self, points: np.ndarray) -> np.ndarray:
-        """The design point [n] about which each of the points [n, d] is likeliest to have been drawn."""
-        return np.asarray(np.argmax(self._exponents(points), axis=1))
-
-    def _exponents(self, points: np.ndarray) -> np.ndarray:
-        return np.asarray(points @ self.centres.T - np.sum(self.centres**2, axis=1) / 2)
-
-
 def importance(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
     """Find the failure regions by a short subset simulation, their design points by search, and draw about these.
 
@@ -68,7 +40,7 @@ def importance(asked: Asked, random: np.random.Generator, cov: float) -> Failure
     The interval's upper end has room for a region that none of the independent draws led to: with E draws that failures
     descend from, one with a share q of all failures is missed with probability (1 - q)^E.
     """
-    run = first_run(asked, random, cov, share=EXPLORED)
+    run = first_run(asked, random, cov)
     if run.end != "reached" or missing_evaluations(run, cov) < _search_evaluations(asked) + 2 * BATCH:
         return go_on(asked, random, cov, [run])
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so the points

@@ -77,8 +77,12 @@ def _checked(values: object, n: int) -> np.ndarray:
         what = f"an array of shape {list(numbers.shape)}"
     except (TypeError, ValueError):
         pass
-    expected = f"{n} numbers, an array of shape [{n}]"
-    raise BadInput([Problem(f"returned {what}", "limit_state", expected=expected)])
+    raise refused("limit_state", f"returned {what}", f"{n} numbers, an array of shape [{n}]")
+
+
+def refused(name: str, what: str, expected: str = "", suggestion: str = "") -> BadInput:
+    """What is raised for an argument, by its name."""
+    return BadInput([Problem(what, name, expected=expected, suggestion=suggestion)])
 
 
 def check(limit_state: Any, most_dimensions: int, **given: Any) -> None:
@@ -88,22 +92,18 @@ def check(limit_state: Any, most_dimensions: int, **given: Any) -> None:
     """
     problems = [] if callable(limit_state) else [Problem("cannot be called", "limit_state", expected=_CALLED)]
     for name, value in given.items():
-        expected = _whole(name, value, most_dimensions) if name in _LEAST else _positive(value)
-        if expected:
+        if expected := _expected(name, value, most_dimensions if name == "dimensions" else math.inf):
             problems.append(Problem(f"is {value!r}", name, expected=expected))
     if problems:
         raise BadInput(problems)
 
 
-def _whole(name: str, value: Any, most_dimensions: int) -> str:
-    """What is expected of a whole number, "" if the value is one."""
-    least, most = _LEAST[name], most_dimensions if name == "dimensions" else math.inf
-    if hasattr(value, "__index__") and not isinstance(value, bool) and least <= value <= most:
-        return ""
-    return f"a whole number from {least} " + ("on" if most == math.inf else f"to {most}")
-
-
-def _positive(value: Any) -> str:
-    """Empty if the value is a number above 0, else the words for what was expected."""
-    number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return "" if number and 0 < value < math.inf else "a number above 0"
+def _expected(name: str, value: Any, most: float) -> str:
+    """What is expected of an argument, "" if the value is that."""
+    if name in _LEAST:
+        fits = hasattr(value, "__index__") and _LEAST[name] <= value <= most
+        expected = f"a whole number from {_LEAST[name]} " + ("on" if most == math.inf else f"to {most}")
+    else:
+        fits = isinstance(value, (int, float)) and 0 < value < math.inf
+        expected = "a number above 0"
+    return "" if fits and not isinstance(value, bool) else expected

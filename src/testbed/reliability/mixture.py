@@ -1,13 +1,14 @@
-"""Mixtures of normals fitted to failures, with as many dimensions as the failures tell of: densities for importance sampling.
+"""Mixtures of normals about design points, or fitted to failures: densities for importance sampling.
 
-Failures differ from standard normal points in a few directions only. Elsewhere a mixture is the standard normal itself, so that
-dimensions that do not matter add nothing to the weights (as in failure-informed cross-entropy sampling, Uribe and others 2021,
-SIAM/ASA Journal on Uncertainty Quantification 9:818).
+Failures differ from standard normal points in a few directions only, and what is fitted has as many dimensions as they tell of.
+Elsewhere it is the standard normal itself, so that dimensions that do not matter add nothing to the weights (as in
+failure-informed cross-entropy sampling, Uribe and others 2021, SIAM/ASA Journal on Uncertainty Quantification 9:818).
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -75,20 +76,44 @@ class Mixture:
 
 @dataclass
 class Blend:
-    """Several mixtures, each in directions of its own, drawn with the probabilities `shares`."""
+    """Several densities, such as mixtures in directions of their own, drawn with the probabilities `shares`."""
 
-    parts: list[Mixture]
+    parts: Sequence[Density]
     shares: np.ndarray
 
     def draw(self, n: int, random: np.random.Generator) -> np.ndarray:
-        """Draw n points [n, d]."""
         counts = random.multinomial(n, self.shares)
         return np.vstack([part.draw(count, random) for part, count in zip(self.parts, counts, strict=True)])
 
     def log_ratio(self, points: np.ndarray) -> np.ndarray:
-        """As `Mixture.log_ratio`."""
         logs = [math.log(s) + part.log_ratio(points) for s, part in zip(self.shares, self.parts, strict=True)]
         return np.asarray(logsumexp(logs, axis=0))
+
+
+@dataclass
+class AboutPoints:
+    """Standard normals about the design points `centres` [k, d], drawn with the probabilities `shares` [k]."""
+
+    centres: np.ndarray
+    shares: np.ndarray
+
+    def draw(self, n: int, random: np.random.Generator) -> np.ndarray:
+        centre = self.centres[random.choice(len(self.shares), n, p=self.shares)]
+        return centre + random.standard_normal(centre.shape)
+
+    def log_ratio(self, points: np.ndarray) -> np.ndarray:
+        return np.asarray(logsumexp(self._exponents(points), axis=1, b=self.shares))
+
+    def likeliest(self, points: np.ndarray) -> np.ndarray:
+        """The design point [n] about which each of the points [n, d] is likeliest to have been drawn."""
+        return np.asarray(np.argmax(self._exponents(points), axis=1))
+
+    def _exponents(self, points: np.ndarray) -> np.ndarray:
+        return np.asarray(points @ self.centres.T - np.sum(self.centres**2, axis=1) / 2)
+
+
+Density = Mixture | Blend | AboutPoints
+"""What points are drawn from; their methods are as those of `Mixture`."""
 
 
 def fitted(points: np.ndarray, weights: np.ndarray, effective: float, random: np.random.Generator) -> Mixture:

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from testbed.common.random_streams import generator
-from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.problems import guess
 from testbed.reliability.adaptive import adaptive
 from testbed.reliability.importance import importance
-from testbed.reliability.limit_state import Asked, LimitState, check
+from testbed.reliability.limit_state import Asked, LimitState, check, refused
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.subset import subset
@@ -61,10 +61,7 @@ def failure_probability(
     """
     check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
     if method not in TABLE:
-        expected, suggestion = guess(method, TABLE)
-        raise BadInput(
-            [Problem(f"is no method: {method}", "method", expected=expected, suggestion=suggestion)]
-        )
+        raise refused("method", f"is no method: {method}", *guess(method, TABLE))
     with spread(limit_state, jobs, client) as wherever:
         asked = Asked(wherever, int(dimensions), int(budget))
         return TABLE[method](asked, generator(int(seed), f"reliability {method}"), cov)
@@ -78,11 +75,9 @@ _PIECES = 4
 def spread(limit_state: LimitState, jobs: int | None = None, client: Any = None) -> Iterator[LimitState]:
     """The limit state, for a block, with each batch spread; arguments as of `failure_probability`."""
     if jobs is not None and client is not None:
-        raise BadInput(
-            [Problem("are for this machine, and a client is given", "jobs", expected="one of them")]
-        )
+        raise refused("jobs", "are for this machine, and a client is given", "one of them")
     if jobs is not None and (isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1):
-        raise BadInput([Problem(f"is {jobs!r}", "jobs", expected="a whole number from 1 on")])
+        raise refused("jobs", f"is {jobs!r}", "a whole number from 1 on")
     if client is not None:
         workers = max(1, sum(client.nthreads().values()))
         yield _pieces(lambda parts: client.gather(client.map(limit_state, parts, pure=False)), workers)
@@ -100,7 +95,7 @@ def _refuse_unsendable(limit_state: LimitState) -> None:
         pickle.dumps(limit_state)
     except Exception as error:
         what = f"cannot be sent to another process: {error}"
-        raise BadInput([Problem(what, "limit_state", expected="a function at the top of a module")]) from None
+        raise refused("limit_state", what, "a function at the top of a module") from None
 
 
 def _pieces(called: Callable[[list[np.ndarray]], list[Any]], workers: int) -> LimitState:
@@ -110,15 +105,11 @@ def _pieces(called: Callable[[list[np.ndarray]], list[Any]], workers: int) -> Li
             found = called(parts)
         except BrokenProcessPool as error:
             expected = "one that runs in other processes, and a script with `if __name__ == '__main__':`"
-            raise BadInput(
-                [Problem(f"ended its process: {error}", "limit_state", expected=expected)]
-            ) from None
+            raise refused("limit_state", f"ended its process: {error}", expected) from None
         shapes = [np.shape(piece) for piece in found]
         if shapes != [(len(part),) for part in parts]:
-            expected = "one number for each point"
-            raise BadInput(
-                [Problem(f"returned arrays of shapes {shapes[:3]}", "limit_state", expected=expected)]
-            )
+            what = f"returned arrays of shapes {shapes[:3]}"
+            raise refused("limit_state", what, "one number for each point")
         return np.concatenate([np.asarray(piece, dtype=float) for piece in found])
 
     return values

@@ -10,12 +10,10 @@ from threadpoolctl import threadpool_limits
 
 from testbed.common.random_streams import generator
 from testbed.common.statistics import CONFIDENCE, proportion
-from testbed.inputs.problems import BadInput, Problem
-from testbed.reliability.evolution import evolve
 from testbed.reliability.exploration import KRIGED, Exploration
-from testbed.reliability.limit_state import Asked, LimitState, check
+from testbed.reliability.limit_state import Asked, LimitState, check, refused
 from testbed.reliability.results import SmallestFailure, Step
-from testbed.reliability.surface import Search, around, plane, section, toward_plane
+from testbed.reliability.surface import Search, around, evolve, plane, section, toward_plane
 
 MOST_DIMENSIONS = 1000
 """More would take matrices of their square."""
@@ -55,46 +53,43 @@ def smallest_failure(
     """
     check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts)
     if wrong := [each for each in mirrored if each not in range(dimensions)]:
-        expected = f"coordinates from 0 to {dimensions - 1}"
-        raise BadInput([Problem(f"has {wrong[0]!r}", "mirrored", expected=expected)])
+        raise refused("mirrored", f"has {wrong[0]!r}", f"coordinates from 0 to {dimensions - 1}")
     search = Search(Asked(limit_state, int(dimensions), int(budget)), mirrored=tuple(mirrored))
     search.begin(search.asked.budget)
     scale = _at_origin(search)
     random = generator(int(seed), "reliability smallest")
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so the points
-        n, failures = _all_starts(search, int(starts), scale, random)
-    return _result(search, n, failures)
+        _all_starts(search, int(starts), scale, random)
+    return _result(search)
 
 
-def _all_starts(search: Search, starts: int, scale: float, random: np.random.Generator) -> tuple[int, int]:
-    """Draw, explore, search from every start, refine and explore; how many points were independent, and failed."""
+def _all_starts(search: Search, starts: int, scale: float, random: np.random.Generator) -> None:
+    """Draw, explore, search from every start, refine and explore."""
     asked, exploration = search.asked, Exploration(search, scale, random)
     share = DRAWS / 2 if exploration.kriges else DRAWS
-    draws = random.standard_normal((min(max(8, int(share * asked.budget)), asked.left), asked.dimensions))
-    values = search(draws)
-    n, failures = len(draws), int(np.sum(values <= 0))
+    draws, values = search.draw(max(8, int(share * asked.budget)), random)
     exploration.explore(KRIGED)
     for start, point in enumerate(_starts(draws, values, starts)):
         whole = (EXPLORED if search.path else SEARCHED) * asked.budget
         search.begin(int((whole - asked.evaluations) / (starts - start)))
         _search(search, point, SPREAD, scale, random)
-    if not search.path:
-        n, failures = _more_draws(search, random, n, failures)
+    search.limit = asked.budget
+    while not search.path and search.left:  # without a failure, for the bound
+        search.draw(BATCH, random)
     before = math.inf
     while search.nearest < before:
         _refine(search, scale, random)
         before = search.nearest
         exploration.explore()
-    return n, failures
 
 
 def _at_origin(search: Search) -> float:
     """The limit state at the origin, which is what everything else is scaled by."""
     value = float(search(np.zeros((1, search.asked.dimensions)))[0])
     if value <= 0:
-        raise BadInput([Problem("fails at the origin: nothing is needed to break it", "limit_state")])
+        raise refused("limit_state", "fails at the origin: nothing is needed to break it")
     if math.isnan(value):
-        raise BadInput([Problem("is not a number at the origin", "limit_state")])
+        raise refused("limit_state", "is not a number at the origin")
     return value if math.isfinite(value) else 1.0
 
 
@@ -177,17 +172,9 @@ def _along_surface(search: Search, random: np.random.Generator) -> None:
         section(search, 0.98, 1)
 
 
-def _more_draws(search: Search, random: np.random.Generator, n: int, failures: int) -> tuple[int, int]:
-    """Draw what is left of the budget if nothing was found."""
-    search.limit = search.asked.budget
-    while not search.path and search.left:
-        values = search(random.standard_normal((min(BATCH, search.left), search.asked.dimensions)))
-        n, failures = n + len(values), failures + int(np.sum(values <= 0))
-    return n, failures
-
-
-def _result(search: Search, n: int, failures: int) -> SmallestFailure:
-    bound = proportion(failures, n, 2 * CONFIDENCE - 1, "exact").high  # one side of the interval
+def _result(search: Search) -> SmallestFailure:
+    n = search.independent
+    bound = proportion(search.failing, n, 2 * CONFIDENCE - 1, "exact").high  # one side of the interval
     last = search.path[-1] if search.path else None
     return SmallestFailure(
         found=last is not None,

@@ -22,6 +22,8 @@ FIRST = 45.0
 ALLOWANCE = 1.15
 """Factor on the width of the interval. Thresholds and spreads come from the points that they are used for, which the
 estimated variance leaves out; measured on known limit states, the scatter is up to so much greater."""
+RESERVE = 0.3
+"""Share of a level that each further run leaves of the budget."""
 DISAGREE = 1e-3
 """Runs that differ more than by chance in one of a thousand cases are not averaged."""
 
@@ -36,9 +38,9 @@ def subset(asked: Asked, random: np.random.Generator, cov: float) -> FailureProb
     return go_on(asked, random, cov, [first_run(asked, random, cov)])
 
 
-def first_run(asked: Asked, random: np.random.Generator, cov: float, share: float = 1 / 8) -> Run:
-    """A run with the points a level that `cov` needs near a probability of 1e-3, at most a `share` of the budget."""
-    wanted = max(LEAST, min(FIRST / cov**2, asked.budget * share))
+def first_run(asked: Asked, random: np.random.Generator, cov: float) -> Run:
+    """A run with the points a level that `cov` needs near a probability of 1e-3, at most an eighth of the budget."""
+    wanted = max(LEAST, min(FIRST / cov**2, asked.budget / 8))
     return run_levels(asked, max(LENGTH, _whole(min(wanted, asked.budget))), random)
 
 
@@ -47,7 +49,8 @@ def go_on(asked: Asked, random: np.random.Generator, cov: float, runs: list[Run]
     if runs[0].end == "flat" and len(runs[0].levels) == 1:
         return _flat(asked, random, cov, runs[0])
     while runs[-1].end == "reached" and _cov(runs) > cov:
-        size = _next_size(asked, runs, cov)
+        missing, left = 1.1 * _missing(runs, cov) + LEAST, asked.left / (_cost(runs) + RESERVE)
+        size = _whole(min(missing, left))
         if size < LEAST:
             break
         runs.append(run_levels(asked, size, random))
@@ -62,11 +65,6 @@ def instead(
     """Subset simulation with what is left of the budget, because of a doubt about importance sampling."""
     known = go_on(asked, random, cov, [run])
     return replace(known, reason=f"Not by importance sampling, as {doubt}. {known.reason}")
-
-
-def _next_size(asked: Asked, runs: Sequence[Run], cov: float) -> int:
-    """Points a level that are missing for `cov`, or that are left in the budget, with a reserve of 0.3 of a level for each run."""
-    return _whole(min(1.1 * _missing(runs, cov) + LEAST, asked.left / (_cost(runs) + 0.3)))
 
 
 def _missing(runs: Sequence[Run], cov: float) -> float:
@@ -145,17 +143,13 @@ def _unknown(asked: Asked, runs: Sequence[Run]) -> FailureProbability:
     run = runs[-1]
     last = run.levels[-1].probability if run.end != "stuck" else 1.0
     spread = math.sqrt(math.log1p(sum(level.cov**2 for level in run.levels[:-1])))
-    ends = [run.above * _high(run, last) * math.exp(stats.norm.ppf(CONFIDENCE) * spread)]
+    chains = run.size // LENGTH  # each counts as one point
+    share = proportion(math.ceil(last * chains), chains, method="exact").high
+    ends = [run.above * share * math.exp(stats.norm.ppf(CONFIDENCE) * spread)]
     ends += [_interval(one)[1] for one in runs[:-1]]
     high = min(1.0, max(ends) + max(sum(one.unknown) for one in runs))
     probability = math.nan if run.end == "stuck" else run.above * len(run.failures) / (run.size or 1)
     return asked.answer("subset", probability, math.inf, (0.0, high), run.levels, False, _why(run))
-
-
-def _high(run: Run, last: float) -> float:
-    """Upper confidence limit of the share of the last level that is inside it, with each chain counted as one point."""
-    chains = run.size // LENGTH
-    return proportion(math.ceil(last * chains), chains, method="exact").high
 
 
 def _why(run: Run) -> str:

@@ -1,13 +1,14 @@
-"""A search near the limit surface: every point it asked for, the nearest failure, and moves that bring it nearer."""
+"""A search for the nearest failure: every point it asked for, the nearest so far, and moves that bring it nearer."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
 
+import cma
 import numpy as np
 
-from testbed.reliability.limit_state import Asked
+from testbed.reliability.limit_state import Asked, nearest_of
 from testbed.reliability.results import Step
 
 PARTS = 8
@@ -18,7 +19,7 @@ PARTS = 8
 class Search:
     """Points and values so far, and the nearest failure of this start, `best` [d].
 
-    A coordinate is mirrored if u and -u have the same value there.
+    A coordinate is mirrored if u and -u have the same value there. `independent` draws were made, of which `failing` failed.
     """
 
     asked: Asked
@@ -28,6 +29,8 @@ class Search:
     best: np.ndarray | None = None
     limit: int = 0
     mirrored: tuple[int, ...] = ()
+    independent: int = 0
+    failing: int = 0
 
     def folded(self, points: np.ndarray) -> np.ndarray:
         """The points [n, d] with the mirrored coordinates' signs away: the same values, in half of the space for each."""
@@ -64,17 +67,22 @@ class Search:
             self._keep(points, values[: len(points)])
         return values
 
+    def draw(self, n: int, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        """At most n independent standard normal points [n, d], as many as are left, and their values [n]."""
+        points = random.standard_normal((min(n, self.left), self.asked.dimensions))
+        values = self(points)
+        self.independent += len(points)
+        self.failing += int(np.sum(values <= 0))
+        return points, values
+
     def _keep(self, points: np.ndarray, values: np.ndarray) -> None:
         self.points.append(points)
         self.values.append(values)
-        failures = points[values <= 0]
-        if not len(failures):
-            return
-        nearest = failures[np.argmin(np.linalg.norm(failures, axis=1))]
-        if np.linalg.norm(nearest) < self.distance:
-            self.best = nearest
-            if not self.path or self.distance < self.path[-1].distance:
-                self.path.append(Step(self.asked.evaluations, self.distance, nearest))
+        failure = nearest_of(points[values <= 0])
+        if failure is not None and np.linalg.norm(failure) < self.distance:
+            self.best = failure
+            if self.distance < self.nearest:
+                self.path.append(Step(self.asked.evaluations, self.distance, failure))
 
 
 def section(search: Search, low: float, rounds: int) -> None:
@@ -139,3 +147,41 @@ def around(search: Search, spread: float, n: int, random: np.random.Generator) -
     nearer = before * (1 - np.linspace(0.25, 1.0, n) * min(0.02, spread**2 + 0.001))
     search(nearer[:, None] * directions)
     return search.distance < before
+
+
+def evolve(
+    search: Search, start: np.ndarray, spread: float, scale: float, random: np.random.Generator
+) -> None:
+    """CMA-ES from a start: the distance plus a penalty on the limit state above 0 is minimised.
+
+    The penalty grows by half whenever a safe point seems better than any failure.
+    """
+    dimensions = len(start)
+    if dimensions == 1:  # CMA-ES needs two; the second coordinate is not used
+        start = np.append(start, 0.0)
+    strategy = cma.CMAEvolutionStrategy(start, spread, _options(random, dimensions))
+    boost = 2.0
+    while search.left >= strategy.popsize and not strategy.stop():
+        candidates = strategy.ask()
+        points = np.array(candidates)[:, :dimensions]
+        values = np.nan_to_num(search(points), nan=10 * scale, posinf=10 * scale)
+        excess = np.maximum(values, 0) / scale
+        far = min(search.distance, 10 * math.sqrt(dimensions) + 10)
+        merits = np.linalg.norm(points, axis=1) + boost * far * excess
+        best = int(np.argmin(merits))
+        if excess[best] > 0 and merits[best] < search.distance < math.inf:
+            boost *= 1.5
+        strategy.tell(candidates, list(merits))
+
+
+def _options(random: np.random.Generator, dimensions: int) -> dict[str, object]:
+    """Silent, with random numbers of its own stream, and settled at a hundredth of a standard deviation (`tolx`)."""
+    return {
+        "verbose": -9,
+        "seed": math.nan,
+        "randn": lambda n, d: random.standard_normal((n, d)),
+        "popsize": max(12, 4 + int(3 * math.log(dimensions))),
+        "tolx": 1e-2,
+        "tolfun": 5e-3,
+        "CMA_diagonal": dimensions > 200,
+    }

@@ -4,30 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
 
 import numpy as np
-from scipy.special import logsumexp
 
 from testbed.reliability.limit_state import Asked
+from testbed.reliability.mixture import Blend, Density
 from testbed.reliability.subset_run import Run
 
 FEWEST = 10
 """Number of failures from which on the scatter of their weights is an estimate of its own error."""
 DIFFERS = 3.3
 """Standard deviations by which subset simulation and importance sampling may differ: one in a thousand."""
-
-
-class Density(Protocol):
-    """What points are drawn from."""
-
-    def draw(self, n: int, random: np.random.Generator) -> np.ndarray:
-        """Draw n points [n, d]."""
-        ...
-
-    def log_ratio(self, points: np.ndarray) -> np.ndarray:
-        """Logarithm of the density over that of the standard normal, at points [n, d]."""
-        ...
 
 
 @dataclass
@@ -112,10 +99,7 @@ class Rounds:
     def weights_of(self, points: np.ndarray) -> np.ndarray:
         """Weights [n] of points [n, d] against all rounds together."""
         shares = np.array(list(map(len, self.points))) / self.drawn
-        logs = [
-            math.log(s) + density.log_ratio(points) for s, density in zip(shares, self.densities, strict=True)
-        ]
-        return np.asarray(np.exp(-logsumexp(logs, axis=0)))
+        return np.asarray(np.exp(-Blend(self.densities, shares).log_ratio(points)))
 
     def doubt(self, run: Run, asked: Asked, about: str, heavy: float) -> str:
         """What speaks against the weights, in words; "" if nothing does.
