@@ -84,18 +84,13 @@ def spread(limit_state: LimitState, jobs: int | None = None, client: Any = None)
     elif jobs is None:
         yield limit_state
     else:
-        _refuse_unsendable(limit_state)
+        try:
+            pickle.dumps(limit_state)
+        except Exception as error:
+            what = f"cannot be sent to another process: {error}"
+            raise refused("limit_state", what, "a function at the top of a module") from None
         with ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn")) as pool:
             yield _pieces(lambda parts: list(pool.map(limit_state, parts)), jobs)
-
-
-def _refuse_unsendable(limit_state: LimitState) -> None:
-    """Raise BadInput for a function that another process cannot import."""
-    try:
-        pickle.dumps(limit_state)
-    except Exception as error:
-        what = f"cannot be sent to another process: {error}"
-        raise refused("limit_state", what, "a function at the top of a module") from None
 
 
 def _pieces(called: Callable[[list[np.ndarray]], list[Any]], workers: int) -> LimitState:

@@ -12,7 +12,7 @@ from testbed.common.random_streams import generator
 from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.reliability.exploration import KRIGED, Exploration
 from testbed.reliability.limit_state import Asked, LimitState, check, refused
-from testbed.reliability.results import SmallestFailure, Step
+from testbed.reliability.results import SmallestFailure
 from testbed.reliability.surface import Search, around, evolve, plane, section, toward_plane
 
 MOST_DIMENSIONS = 1000
@@ -173,32 +173,15 @@ def _along_surface(search: Search, random: np.random.Generator) -> None:
 
 
 def _result(search: Search) -> SmallestFailure:
-    n = search.independent
+    n, evaluations, path = search.independent, search.asked.evaluations, tuple(search.path)
     bound = proportion(search.failing, n, 2 * CONFIDENCE - 1, "exact").high  # one side of the interval
-    last = search.path[-1] if search.path else None
-    return SmallestFailure(
-        found=last is not None,
-        design_point=None if last is None else last.point,
-        distance=math.inf if last is None else last.distance,
-        limit_state=math.nan if last is None else _value_at(search, last),
-        evaluations=search.asked.evaluations,
-        path=tuple(search.path),
-        independent=n,
-        upper_bound=bound,
-        reason=_reason(search, last, n, bound),
-    )
-
-
-def _value_at(search: Search, step: Step) -> float:
-    points, values = np.concatenate(search.points), np.concatenate(search.values)
-    return float(values[np.argmin(np.linalg.norm(points - step.point, axis=1))])
-
-
-def _reason(search: Search, last: Step | None, n: int, bound: float) -> str:
-    evaluations = search.asked.evaluations
-    if last is not None:
-        return f"The nearest of the failures found in {evaluations} evaluations is {last.distance:.3g} standard deviations away."
-    return (
-        f"Not found in {evaluations} evaluations. As {n} of them were independent and none failed, the failure probability "
-        f"is at most {bound:.2g} with 95 % confidence."
-    )
+    if not path:
+        reason = (
+            f"Not found in {evaluations} evaluations. As {n} of them were independent and none failed, the failure probability "
+            f"is at most {bound:.2g} with 95 % confidence."
+        )
+        return SmallestFailure(False, None, math.inf, math.nan, evaluations, path, n, bound, reason)
+    last, points = path[-1], np.concatenate(search.points)
+    value = np.concatenate(search.values)[np.argmin(np.linalg.norm(points - last.point, axis=1))]
+    reason = f"The nearest of the failures found in {evaluations} evaluations is {last.distance:.3g} standard deviations away."
+    return SmallestFailure(True, last.point, last.distance, float(value), evaluations, path, n, bound, reason)

@@ -47,6 +47,8 @@ class SensorFault(Settings):
     key: ClassVar[str] = ""
     """Name of its value in YAML, with {} in place of the unit; "" for a fault without a value."""
     needs_value: ClassVar[bool] = True
+    said: ClassVar[str] = ""
+    """What it did to its sensor, with {} in place of its value with the unit; "" for a fault of which `words` says more."""
     replaces: ClassVar[bool] = False
     """Whether it replaces the reading; otherwise it adds to the reading."""
 
@@ -91,9 +93,9 @@ class SensorFault(Settings):
 
     def words(self) -> str:
         """What it did to its sensor: `was off by 3 deg`."""
-        return f"had {self.type.replace('_', ' ')}"
+        return self.said.format(self._amount()) if self.said else f"had {self.type.replace('_', ' ')}"
 
-    def _said(self) -> str:
+    def _amount(self) -> str:
         """Its value with its unit."""
         name = value_name(self.key, unit_of(self.sensor))
         return f"{getattr(self, name):g} {unit(name)}"
@@ -129,7 +131,7 @@ class Stuck(SensorFault):
         span.offset[:] = self.value or 0.0
 
     def words(self) -> str:
-        return f"stuck at {'its last reading' if self.value is None else self._said()}"
+        return f"stuck at {'its last reading' if self.value is None else self._amount()}"
 
 
 class Dropout(SensorFault):
@@ -156,43 +158,34 @@ class Dropout(SensorFault):
 class Bias(SensorFault):
     """`value_<unit>` is added."""
 
-    key = "value_{}"
+    key, said = "value_{}", "was off by {}"
     type: Literal["bias"] = "bias"
 
     def enter(self, span: Span) -> None:
         span.offset[:] += self.value or 0.0
-
-    def words(self) -> str:
-        return f"was off by {self._said()}"
 
 
 @valued
 class Drift(SensorFault):
     """An offset that grows by `rate_<unit per second>` from `at_s` on, and is gone at `until_s`."""
 
-    key = "rate_{per_second}"
+    key, said = "rate_{per_second}", "drifted by {}"
     type: Literal["drift"] = "drift"
 
     def enter(self, span: Span) -> None:
         span.offset[:] += (self.value or 0.0) * span.steps / span.rate_hz
-
-    def words(self) -> str:
-        return f"drifted by {self._said()}"
 
 
 @valued
 class Noise(SensorFault):
     """White noise of one-sided density `noise_<unit>_rthz` is added to the sensor's own."""
 
-    key = "noise_{}_rthz"
+    key, said = "noise_{}_rthz", "had more noise, of {}"
     type: Literal["noise"] = "noise"
 
     def enter(self, span: Span) -> None:
         sigma = (self.value or 0.0) * math.sqrt(span.rate_hz / 2.0)
         span.offset[:] += sigma * span.random.standard_normal(len(span.offset))
-
-    def words(self) -> str:
-        return f"had more noise, of {self._said()}"
 
 
 TABLE: dict[str, type[SensorFault]] = {

@@ -1,4 +1,4 @@
-"""One control step of all sensors: plain Python that numba compiles.
+"""One control step of all sensors, and an error that wanders: plain Python that numba compiles.
 
 A reading is made of the truth in this order: low-pass, scale and drawn errors (what is *sensed*), then delay, faults and
 resolution (what is *read*). What the controller is told is computed from the readings alone.
@@ -106,3 +106,17 @@ def derive(k, rate, readings, measured):
     v = y.airspeed * math.sin(y.beta)
     w = y.airspeed * math.sin(y.alpha) * math.cos(y.beta)
     x.u_dot = y.accelerometer_x - GRAVITY_M_S2 * math.sin(y.pitch) - y.gyro_q * w + y.gyro_r * v
+
+
+@compiled
+def correlate(x, correlation):
+    """Turn white noise, in place, into a first-order Gauss-Markov sequence of variance one:
+    x[k] = c x[k-1] + sqrt(1 - c^2) noise[k], x[0] = noise[0].
+
+    Args:
+        x: [steps] standard normal noise, and result.
+        correlation: c, the correlation of neighbouring steps, exp(-dt / correlation time).
+    """
+    fresh = math.sqrt(1.0 - correlation * correlation)
+    for k in range(1, len(x)):
+        x[k] = correlation * x[k - 1] + fresh * x[k]

@@ -13,10 +13,19 @@ from testbed.common.jit import bound
 from testbed.common.random_streams import generator
 from testbed.common.signals import STATE, as_records, begins_within, room_for
 from testbed.sensors.channels import CHANNELS, Channel, channels_of, logged
-from testbed.sensors.errors import drawn, enter
-from testbed.sensors.faults import SensorFault
-from testbed.sensors.measurement import ERROR, FAULT, LAYERS, OFFSET, PARAMETERS, READING, SENSED, measure
-from testbed.sensors.settings import SensorSettings
+from testbed.sensors.faults import SensorFault, Span
+from testbed.sensors.measurement import (
+    ERROR,
+    FAULT,
+    LAYERS,
+    OFFSET,
+    PARAMETERS,
+    READING,
+    SENSED,
+    correlate,
+    measure,
+)
+from testbed.sensors.settings import SensorModel, SensorSettings
 
 _NAMES = tuple(channel.name for channel in CHANNELS)
 _BLOCK = 10_000
@@ -56,13 +65,38 @@ class Bank:
         self._steps = steps
         for i, channel in enumerate(self.channels):
             model, reads = self.settings.of(channel.sensor), channel.reads
-            scale, error = drawn(channel.name, model, steps, self.rate_hz, self.seed)
+            scale, error = self._drawn(channel, model, steps)
             self.table[ERROR, new, i] = error[new]
             source = self.sources.index(reads) if reads in self.sources else -1
             lag = 1.0 - math.exp(-model.low_pass_rad_s / self.rate_hz) if model.low_pass_rad_s else 1.0
             delay = round(model.delay_s * self.rate_hz)
             self.constants[i] = source, lag, scale, delay, model.si("resolution"), reads == "heading"
         self._enter_faults(0)
+
+    def _drawn(self, channel: Channel, model: SensorModel, steps: int) -> tuple[float, np.ndarray]:
+        """Scale factor of one channel [1], and the sum of its bias, drift, wander and noise in each step ([steps], in SI).
+
+        Each part has its own random stream, so a change of one leaves the numbers of the others as they were.
+        """
+
+        def normal(part: str, size: int) -> np.ndarray:
+            return generator(self.seed, f"sensors.{channel.name}.{part}").standard_normal(size)
+
+        scale, error = 1.0 + model.scale_error, np.full(steps, model.si("bias"))
+        if model.scale_error_sigma:
+            scale += model.scale_error_sigma * float(normal("scale", 1)[0])
+        if sigma := model.si("bias_sigma"):
+            error += sigma * normal("bias", 1)
+        if density := model.si("drift"):
+            walk = np.cumsum(normal("drift", steps)) * density / math.sqrt(self.rate_hz)
+            error[1:] += walk[:-1]
+        if sigma := model.si("wander"):
+            wander = normal("wander", steps)
+            correlate(wander, math.exp(-1.0 / (self.rate_hz * model.wander_time_s)))
+            error += sigma * wander
+        if density := model.si("noise"):
+            error += density * math.sqrt(self.rate_hz / 2.0) * normal("noise", steps)
+        return scale, error
 
     def fault(self, settings: SensorSettings, step: int) -> None:
         """Take settings with other faults, which have done the same before this control step."""
@@ -75,10 +109,13 @@ class Bank:
             return
         layers = np.zeros((2, self._steps, len(self.channels)))
         for index, fault in enumerate(self.settings.faults):
+            start, end = fault.window(self.rate_hz)
+            window = slice(int(start), int(min(end, self._steps)))
+            steps = np.arange(max(window.stop - window.start, 0)) + start - fault.at_s * self.rate_hz
             for i, channel in enumerate(self.channels):
                 if self._has(channel, fault):
                     stream = generator(self.seed, f"sensors.fault.{index}.{channel.name}")
-                    enter(fault, self.rate_hz, stream, *layers[:, :, i])
+                    fault.enter(Span(steps.copy(), self.rate_hz, stream, *layers[:, window, i]))
         self.table[OFFSET, first : self._steps], self.table[FAULT, first : self._steps] = layers[:, first:]
 
     def _has(self, channel: Channel, fault: SensorFault) -> bool:
