@@ -18,8 +18,7 @@ import testbed.env
 from testbed import BadInput
 from testbed.aircraft.shipped import aircraft_names, find_aircraft
 from testbed.controllers.user.loader import load_controller
-from testbed.env.flight import FlightEnv
-from testbed.env.tasks import REWARDS
+from testbed.env.flight import REWARDS, FlightEnv
 
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 LOST = [{"type": "effectiveness", "actuator": "left_ruddervator", "at_s": 0.5, "value": 0.0}]

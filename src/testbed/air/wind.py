@@ -7,7 +7,6 @@ that of the flight. It is switched on after the aircraft has been placed.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,7 +29,6 @@ class Weather:
 
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
-        apply: logs the wind of a step, and sets the wind of the next.
         settings: the air of the flight, with the gusts that were added to it.
         wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
@@ -43,11 +41,9 @@ class Weather:
         self._steady = np.array(settings.wind_m_s)
         self._gusty = self._stirred = False
         self._turbulence = None
-        self.apply: Callable[[int], None] = self._apply_jsbsims
         if settings.is_own_turbulence:
             self._turbulence = Turbulence(settings, plant, rate_hz, steps, seed)
             self.wind = self._turbulence.wind
-            self.apply = self._turbulence.step
         self._changes = [
             (first_step_at(each.at_s, rate_hz), each.w20_m_s) for each in settings.turbulence_changes
         ]
@@ -99,8 +95,6 @@ class Weather:
         """Plan a gust of the settings."""
         self._starts.append(first_step_at(gust.at_s, self.rate_hz))
         self._gusts.append(None)
-        if self._turbulence is not None:
-            self.apply = self._apply_own
 
     def lengthen(self, settings: Atmosphere, steps: int) -> None:
         """Take more control steps; `settings` are those so far, but that the window of noise given has an end."""
@@ -111,18 +105,16 @@ class Weather:
         elif not math.isinf(self.next_step):
             self.wind = longer(self.wind, steps)
 
-    def _apply_jsbsims(self, step: int) -> None:
-        self.wind[step] = self.plant.total_wind()
+    def apply(self, step: int) -> None:
+        """Log the wind of this step, and set that of the next. Own turbulence knows the wind without asking the plant."""
+        if self._turbulence is None:
+            self.wind[step] = self.plant.total_wind()
         if self._starts:
             self._put_gusts(step)
+        if self._turbulence is not None:
+            self._turbulence.step(step)
         while self._changes and step >= self._changes[0][0]:
             self._stir(self._changes.pop(0)[1])
-
-    def _apply_own(self, step: int) -> None:
-        """With gusts and own turbulence, which knows the wind without asking the plant."""
-        assert self._turbulence is not None
-        self._put_gusts(step)
-        self._turbulence.step(step)
 
     def _put_gusts(self, step: int) -> None:
         gusty = self._blowing(step)

@@ -1,8 +1,9 @@
-"""A flight as a Gymnasium environment."""
+"""A flight as a Gymnasium environment, and its tasks: which references an agent is given, and how a state is rewarded."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,15 +12,41 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 from gymnasium.spaces import Box
 
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import load_aircraft
+from testbed.common.signals import SETPOINT, STATE
 from testbed.env.agent import Agent
 from testbed.env.cockpit import MOST, OBSERVED
 from testbed.env.episodes import Episodes, refused
-from testbed.env.tasks import REWARDS, with_commands
 from testbed.flight.flight import Outcome
 from testbed.inputs.problems import guess
 from testbed.reporting.flight import ReportedFlight
+from testbed.scenario.checks import glides
+from testbed.scenario.flown import altered
+from testbed.scenario.model import Command, Scenario
 from testbed.simulation import Session
+
+ALTITUDE_M, AIRSPEED, HEADING_RAD = 5.0, 0.1, math.radians(10.0)
+"""Errors that halve the reward, each alone; that of the airspeed as a part of its reference."""
+_EVERY_S, _CLIMB_M, _TURN_DEG = 8.0, 10.0, 60.0
+"""Drawn commands: how often, and at most how far from the last one."""
+_ALTITUDE, _AIRSPEED, _HEADING = map(STATE.index, SETPOINT[:3])
+
+
+def tracking(state: Sequence[float], reference: Sequence[float]) -> float:
+    """Reward from 0 to 1: 1 / (1 + e^2), with the errors of altitude, airspeed and heading in units of those that halve it."""
+    turn = math.remainder(reference[2] - state[_HEADING], 2.0 * math.pi) / HEADING_RAD
+    climb = (reference[0] - state[_ALTITUDE]) / ALTITUDE_M
+    faster = (1.0 - state[_AIRSPEED] / reference[1]) / AIRSPEED
+    return 1.0 / (1.0 + turn * turn + climb * climb + faster * faster)
+
+
+REWARDS: dict[str, Callable[[Sequence[float], Sequence[float]], float]] = {
+    "hold": tracking,
+    "follow": tracking,
+    "survive": lambda state, reference: 1.0,  # there is more of it, the longer the aircraft flies
+}
+"""The tasks, and what each rewards in every step until the aircraft is lost, which is rewarded with 0."""
 
 
 class FlightEnv(gymnasium.Env[np.ndarray, np.ndarray]):
@@ -64,7 +91,7 @@ class FlightEnv(gymnasium.Env[np.ndarray, np.ndarray]):
         self.names = (*(name for name, _ in OBSERVED), *actuators)
         self.observation_space = Box(-MOST, MOST, (len(self.names),), np.float32)
         self.action_space = Box(-1.0, 1.0, (len(actuators),), np.float32)
-        self._task, self._reward, self._action_hz = task, REWARDS[task], action_hz
+        self._task, self._action_hz = task, action_hz
         self._episodes = Episodes(aircraft, scenario or {}, set or {}, sweep)
         self._session: Session | None = None
 
@@ -96,7 +123,8 @@ class FlightEnv(gymnasium.Env[np.ndarray, np.ndarray]):
         ended, k, rows = loop.outcome, loop.done - 1, loop.rows
         truncated = ended is Outcome.completed
         lost = ended is not None and not truncated
-        reward = 0.0 if lost else self._reward(rows.truth[k].tolist(), rows.references[k].tolist())
+        rewarded = REWARDS[self._task]
+        reward = 0.0 if lost else rewarded(rows.truth[k].tolist(), rows.references[k].tolist())
         return self._observed(), reward, lost, truncated, {"outcome": ended.value} if ended else {}
 
     def _observed(self) -> np.ndarray:
@@ -119,3 +147,17 @@ class FlightEnv(gymnasium.Env[np.ndarray, np.ndarray]):
         if self._session is not None:
             self._session.close()
             self._session = None
+
+
+def with_commands(scenario: Scenario, random: np.random.Generator) -> Scenario:
+    """The scenario with drawn commands of altitude and heading, for an agent that follows; its own commands if it has some."""
+    if len(scenario.commands) > 1:
+        return scenario
+    aircraft, first = load_with_changes(scenario.aircraft), scenario.commands[0]
+    commands, altitude_m, heading_deg = [first], first.altitude_m or 0.0, first.heading_deg or 0.0
+    for at_s in np.arange(_EVERY_S / 2, scenario.duration_s, _EVERY_S):
+        altitude_m += random.uniform(-_CLIMB_M, _CLIMB_M)
+        heading_deg = (heading_deg + random.uniform(-_TURN_DEG, _TURN_DEG)) % 360.0
+        climb = {} if glides(aircraft) else {"altitude_m": altitude_m}
+        commands.append(Command(at_s=float(at_s), heading_deg=heading_deg, **climb))
+    return altered(scenario, commands=tuple(commands))
