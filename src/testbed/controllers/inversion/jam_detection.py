@@ -90,7 +90,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
-        elif (explained and s.moved[i] == 0.0) or (
+        elif (explained and (s.moved[i] == 0.0 or not m.servo[i])) or (
             time > 0.0 and s.reversal_timer[i] > time + TIMER_ROUNDING
         ):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)

@@ -1,4 +1,4 @@
-"""Offset detection: a surface that has moved from its command, but still follows it, is used on.
+"""Offset detection: an actuator that has moved from its command, but still follows it, is used on.
 
 A sudden force along a surface's column of B is either a jam or an offset: position = p, or position = command + d. At that moment
 no test can tell them apart. The commands that follow do: the force of an offset surface changes with them, that of a jammed one
@@ -7,7 +7,8 @@ An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when
 it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
 up for it by its `shift`.
 
-Motors and engines are excluded: what they give beside their throttle is a jam.
+A motor whose thrust turns the aircraft moves in the same way, but what it gives beside its throttle is a jam in the end. Thrust
+that shows in u_dot alone looks like drag and gusts, and is left to the model error b.
 
 Letters: those of `records`.
 """
@@ -32,10 +33,11 @@ BEYOND_SIGMAS = 3.0
 
 @compiled
 def no_effectiveness(i, estimate, m, c, s):
-    """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that acts late is
-    excluded, because a wrong time explains such changes too."""
-    in_use = c.tests_offsets and m.servo[i] and not (s.failed[i] or s.jammed[i])
-    return in_use and not is_late(i, s) and not c.lambda_min <= estimate <= c.lambda_max
+    """Whether actuator i is in use, and its change is one of position: it cannot have this effectiveness, or it has moved already.
+    One that acts late is excluded, because a wrong time explains such changes too."""
+    in_use = c.tests_offsets and c.turns[i] and not (s.failed[i] or s.jammed[i])
+    possible = s.moved[i] == 0.0 and c.lambda_min <= estimate <= c.lambda_max
+    return in_use and not is_late(i, s) and not possible
 
 
 @compiled
