@@ -44,6 +44,16 @@ def test_weighted_estimation_has_a_covariance_to_flag_by() -> None:
     assert c.model_error_rate == pytest.approx(0.1)
 
 
+def test_thrust_that_turns_the_aircraft_is_told_from_gusts() -> None:
+    """The v-tail's propellers stand apart; with their yawing moment taken away they show in u_dot alone."""
+    setup = vtail_setup(WEATHER)
+    assert settings_record(setup, WEATHER)[0].turns.tolist() == [1, 1, 1, 1]
+    b = np.array(setup.model.input_matrix)
+    b[:3, 2:] = 0.0
+    setup = replace(setup, model=replace(setup.model, input_matrix=b.tolist()))
+    assert settings_record(setup, WEATHER)[0].turns.tolist() == [1, 1, 0, 0]
+
+
 def test_a_law_without_estimation_neither_adapts_nor_divides_by_nothing() -> None:
     c = settings_record(vtail_setup(), None)[0]
     assert (c.adapts, c.weighted) == (0, 0)

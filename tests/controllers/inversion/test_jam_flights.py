@@ -66,6 +66,27 @@ def test_a_weak_tail_is_not_given_up_for_a_propeller_that_sticks(seed: int) -> N
     assert not flight.log["left_ruddervator_failed"].any()
 
 
+@pytest.mark.parametrize(("actuator", "seed"), [("left_propeller", 54227327), ("right_propeller", 1)])
+def test_full_throttle_is_not_taken_for_weak_tails(actuator: str, seed: int) -> None:
+    """A tail was given up for it, and heading strayed by 22 deg."""
+    changes = [
+        "sensors={model: mems}",
+        "atmosphere={turbulence_w20_m_s: 1.147}",
+        f"seed={seed}",
+        "initial.airspeed_m_s=15.2",
+        "controller={type: adaptive_inversion}",
+        "commands=[{at_s: 3, heading_deg: 120, altitude_m: 305}]",
+        f"failures=[{{type: hardover, actuator: {actuator}, at_s: 9, to: max}}]",
+        "requirements=[]",
+        "duration_s=20",
+    ]
+    flight = fly(load_scenario(SCENARIO, changes))
+    altitude, heading, _ = worst_errors(flight, 9.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 3.0 and heading < 10.0
+    assert not any(flight.log[f"{side}_ruddervator_failed"].any() for side in ("left", "right"))
+
+
 @pytest.mark.parametrize("controller", ["{type: adaptive_inversion}", "{type: indi, monitor: true}"])
 @pytest.mark.parametrize("seed", [3, 8])
 def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: str, seed: int) -> None:

@@ -105,21 +105,32 @@ def test_a_known_offset_does_not_hide_the_jam_of_another() -> None:
     assert s.jammed.tolist() == [0, 0, 0, 1]
 
 
-@pytest.mark.parametrize("servo", [1, 0])
-def test_what_no_effectiveness_explains_is_a_surfaces_offset(servo: int) -> None:
-    """The variance goes to the model error along its column; of a motor, to its effectiveness."""
+@pytest.mark.parametrize("turns", [1, 0])
+def test_what_no_effectiveness_explains_is_an_offset_where_it_is_told_from_gusts(turns: int) -> None:
+    """The variance goes to the model error along its column; of thrust that turns nothing, to its effectiveness."""
     m, c, _, s, _ = records()
-    m.servo[1], before = servo, s.P.copy()
+    c.turns[1], before = turns, s.P.copy()
     phi = np.array(m.B) * 0.2
     error = phi[:, 1] * 6.0
     for _ in range(5):
         expect_change(30.0 * error, phi, m, c, s)
     grown = s.P - before
     along = np.outer(phi[:, 1], phi[:, 1])
-    assert (grown[1, 1] == 0.0) == bool(servo)
+    assert (grown[1, 1] == 0.0) == bool(turns)
     share = grown[N:, N:].sum() / along.sum()
-    assert (share > 1.0) == bool(servo)
+    assert (share > 1.0) == bool(turns)
     assert grown[N:, N:] == pytest.approx(share * along)
+
+
+def test_what_changes_after_a_move_is_position_too() -> None:
+    """Half of its force is missing, which half of the effectiveness explains as well."""
+    m, c, _, s, _ = records()
+    phi = np.array(m.B) * 3.0
+    for moved in (0.0, 1.0):
+        s.moved[1], s.recent[:], before = moved, -0.5 * phi[:, 1], s.P.copy()
+        expect_change(-0.5 * phi[:, 1], phi, m, c, s)
+        grown = s.P - before
+        assert (grown[1, 1] > 0.0, grown[N:, N:].any()) == (moved == 0.0, moved != 0.0)
 
 
 def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None:
