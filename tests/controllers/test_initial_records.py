@@ -50,7 +50,7 @@ def test_thrust_that_turns_the_aircraft_is_told_from_gusts() -> None:
     assert settings_record(setup, WEATHER)[0].turns.tolist() == [1, 1, 1, 1]
     b = np.array(setup.model.input_matrix)
     b[:3, 2:] = 0.0
-    setup = replace(setup, model=replace(setup.model, input_matrix=b.tolist()))
+    setup = replace(setup, model=replace(setup.model, input_matrix=tuple(map(tuple, b))))
     assert settings_record(setup, WEATHER)[0].turns.tolist() == [1, 1, 0, 0]
 
 

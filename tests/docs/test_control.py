@@ -25,9 +25,9 @@ NUMBER = {3: "three"}
 SENTENCES = [
     f"kept if its authority is at least {released_axes.MARGIN['q_dot']:g} times its disturbance, airspeed if it is at least once",
     f"two first-order lags of {SET.filter_rad_s:g} rad/s",
-    f"of the last {initial_records._CHANGE_TIME_S:g} s",
-    f"If one change is more than {initial_records._CHANGE_SIGMA:g} standard deviations, "
-    f"and explains it {initial_records._CHANGE_LEAD:g} times better",
+    f"of the last {estimator.CHANGE_TIME_S:g} s",
+    f"If one change is more than {estimator.CHANGE_SIGMA:g} standard deviations, "
+    f"and explains it {estimator.CHANGE_LEAD:g} times better",
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
     f"its estimate has fallen by more than {loss_detection.SUDDEN_LOSS:g} within a few seconds",
@@ -38,8 +38,8 @@ SENTENCES = [
     f"is {loss_detection.STEADY_M:g} m from its reference",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
-    f"that remains after adaptation is averaged over {initial_records._RESIDUAL_TIME_S:g} s",
-    f"When the value has been above {initial_records._JAM_SIGMA:g} for {initial_records._JAM_TIME_S:g} s "
+    f"that remains after adaptation is averaged over {estimator.RESIDUAL_TIME_S:g} s",
+    f"When the value has been above {offset_detection.JAM_SIGMA:g} for {offset_detection.JAM_S:g} s "
     f"({jam_detection.THRUST_JAM_S:g} s for a motor or engine)",
     f"below {jam_detection.REVERSED_BELOW:g} is {NUMBER[jam_detection.REVERSED_SIGMA]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
@@ -58,7 +58,7 @@ SENTENCES = [
     f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
     f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
     f"so that the path follows within {scaling._PATH_LAG_S:g} s",
-    f"(process noise {estimator.REVERSAL_NOISE:g}, later {initial_records._JAM_PROCESS_NOISE:g} scaled units",
+    f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"After {NUMBER[swing_detection.TURNS]} turns it is used again",
     f"averaged over {swing_detection.FORCE_TIME_S:g} s",
     f"within {swing_detection.SLOWEST_S:g} s of the turn before",

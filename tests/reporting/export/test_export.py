@@ -48,7 +48,7 @@ def test_what_a_format_shows_is_asked_for_before_it_is_written(
 ) -> None:
     """A log of somebody else may lack any column but those without which no flight is loaded."""
     for j, name in enumerate(flown.columns):
-        if name in damage._needed(flown):
+        if name in damage._NEEDED or name.endswith(damage._OF_AN_ACTUATOR):
             continue
         rest = [i for i in range(len(flown.columns)) if i != j]
         less = replace(flown, columns=tuple(flown.columns[i] for i in rest), data=flown.data[:, rest])
