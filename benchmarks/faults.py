@@ -143,6 +143,9 @@ def _struck(command: Command, whole: Command, number: int, after_s: float) -> It
     if finished or status in (0, 1):
         shutil.rmtree(command.out)
     shutil.rmtree(command.folder / "tmp")
+    if number == signal.SIGKILL and not command.study:  # what no command can remove is not the next one's
+        for path in command.folder.glob(".*"):
+            shutil.rmtree(path)
 
 
 def _litter(folder: Path) -> list[str]:
