@@ -58,7 +58,7 @@ PAGES: tuple[Page, ...] = (
     Page("paper_table", ("benchmarks/results_table.py",), "1", 3, (*FLOWN, *_LOSSES)),
     Page("time_step", ("benchmarks/time_step.py",), "1", 11, (*FLOWN, *_LOSSES[:1]), ("explanation/pure_function.md",)),
     Page("performance", ("benchmarks/performance.py",), "1", 30),
-    Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 360, _SWEPT),
+    Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 340, _SWEPT),
     Page(
         "benchmark",
         ("benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly",),
