@@ -44,24 +44,28 @@ def test_heading_is_held_from_40_s_after_a_jam(actuator: str, value: float) -> N
         assert altitude < 1.0
 
 
+def in_turbulence(seed: int, *changes: str, w20_m_s: float = 7.62) -> Flight:
+    """A flight with MEMS sensors, whose heading is commanded to 120 deg at 3 s; it must not be lost."""
+    weather = ["sensors={model: mems}", f"atmosphere={{turbulence_w20_m_s: {w20_m_s}}}", f"seed={seed}"]
+    turn = "commands=[{at_s: 3, heading_deg: 120}]"
+    flight = fly(load_scenario(SCENARIO, [*weather, turn, "requirements=[]", *changes]))
+    assert flight.outcome is Outcome.completed
+    return flight
+
+
 @pytest.mark.parametrize("seed", [3, 8, 10])
 def test_a_weak_tail_is_not_given_up_for_a_propeller_that_sticks(seed: int) -> None:
     """Heading strayed by 16 to 30 deg when it was: yaw was given up with it."""
-    changes = [
-        "sensors={model: mems}",
-        "atmosphere={turbulence_w20_m_s: 7.62}",
-        f"seed={seed}",
+    flight = in_turbulence(
+        seed,
         "controller={type: adaptive_inversion}",
         "commands=[{at_s: 3, heading_deg: 120}, {at_s: 12, altitude_m: 307}]",
         "command_rates={heading_deg_s: 7, altitude_m_s: 1}",
         "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 8, value: 0.2}, "
         "{type: stuck, actuator: left_propeller, at_s: 18}]",
-        "requirements=[]",
         "duration_s=31",
-    ]
-    flight = fly(load_scenario(SCENARIO, changes))
+    )
     altitude, heading, _ = worst_errors(flight, 8.0)
-    assert flight.outcome is Outcome.completed
     assert altitude < 4.0 and heading < 8.0
     assert not flight.log["left_ruddervator_failed"].any()
 
@@ -69,20 +73,16 @@ def test_a_weak_tail_is_not_given_up_for_a_propeller_that_sticks(seed: int) -> N
 @pytest.mark.parametrize(("actuator", "seed"), [("left_propeller", 54227327), ("right_propeller", 1)])
 def test_full_throttle_is_not_taken_for_weak_tails(actuator: str, seed: int) -> None:
     """A tail was given up for it, and heading strayed by 22 deg."""
-    changes = [
-        "sensors={model: mems}",
-        "atmosphere={turbulence_w20_m_s: 1.147}",
-        f"seed={seed}",
+    flight = in_turbulence(
+        seed,
         "initial.airspeed_m_s=15.2",
         "controller={type: adaptive_inversion}",
         "commands=[{at_s: 3, heading_deg: 120, altitude_m: 305}]",
         f"failures=[{{type: hardover, actuator: {actuator}, at_s: 9, to: max}}]",
-        "requirements=[]",
         "duration_s=20",
-    ]
-    flight = fly(load_scenario(SCENARIO, changes))
+        w20_m_s=1.147,
+    )
     altitude, heading, _ = worst_errors(flight, 9.0)
-    assert flight.outcome is Outcome.completed
     assert altitude < 3.0 and heading < 10.0
     assert not any(flight.log[f"{side}_ruddervator_failed"].any() for side in ("left", "right"))
 
@@ -91,20 +91,14 @@ def test_full_throttle_is_not_taken_for_weak_tails(actuator: str, seed: int) -> 
 @pytest.mark.parametrize("seed", [3, 8])
 def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: str, seed: int) -> None:
     """Given up, with level flight, it left the aircraft 23 to 32 m too low."""
-    changes = [
-        "sensors={model: mems}",
-        "atmosphere={turbulence_w20_m_s: 7.62}",
-        f"seed={seed}",
+    flight = in_turbulence(
+        seed,
         f"controller={controller}",
-        "commands=[{at_s: 3, heading_deg: 120}]",
         "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 5, value: 0}, "
         "{type: intermittent, actuator: right_propeller, at_s: 12, off_s: 0.5, on_s: 1.0}]",
-        "requirements=[]",
         "duration_s=30",
-    ]
-    flight = fly(load_scenario(SCENARIO, changes))
+    )
     altitude, heading, _ = worst_errors(flight, 12.0)
-    assert flight.outcome is Outcome.completed
     assert altitude < 4.0 and heading < 14.0
     assert not flight.log["right_propeller_failed"].any()
 
@@ -123,20 +117,14 @@ def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_f
     controller: str, seed: int
 ) -> None:
     """Given up after it had seemed lost for 3 s in all, it left the aircraft 8 to 25 m too low."""
-    changes = [
-        "sensors={model: mems}",
-        "atmosphere={turbulence_w20_m_s: 7.62}",
-        f"seed={seed}",
+    flight = in_turbulence(
+        seed,
         f"controller={{type: {controller}}}",
-        "commands=[{at_s: 3, heading_deg: 120}]",
         "failures=[{type: effectiveness, actuator: left_propeller, at_s: 5, value: 0}, "
         "{type: intermittent, actuator: left_ruddervator, at_s: 12, off_s: 0.5, on_s: 1.0}]",
-        "requirements=[]",
         "duration_s=30",
-    ]
-    flight = fly(load_scenario(SCENARIO, changes))
+    )
     altitude, heading, _ = worst_errors(flight, 12.0)
-    assert flight.outcome is Outcome.completed
     assert altitude < 4.0 and heading < 14.0
 
 
