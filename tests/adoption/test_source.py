@@ -55,6 +55,20 @@ def test_a_missing_file_is_named(tmp_path):
         read_whole(find_source(str(folder), package_root()))
 
 
+def test_files_that_name_themselves_or_each_other_end(tmp_path):
+    """One in a circle; and 40, each of which names the next one twice, which would be read 2^40 times."""
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "mine.xml").write_text('<fdm_config><system file="circle"/><system file="s0"/></fdm_config>')
+    (folder / "circle.xml").write_text('<system name="c"><system file="circle"/></system>')
+    for k in range(40):
+        (folder / f"s{k}.xml").write_text(
+            f'<system><system file="s{k + 1}"/><system file="s{k + 1}"/></system>'
+        )
+    tree = read_whole(find_source(str(folder), package_root()))
+    assert {each.get("file") for each in tree.iter("system")} == {None, "circle", "s2"}
+
+
 def test_what_is_no_model_is_refused(tmp_path):
     folder = tmp_path / "mine"
     folder.mkdir()

@@ -108,16 +108,17 @@ def parsed(file: Path) -> ET.Element:
         raise BadInput([Problem(f"is not XML: {error}", str(file))]) from None
 
 
-def _inline(tree: ET.Element, source: Source) -> None:
+def _inline(tree: ET.Element, source: Source, levels: int = 2) -> None:
     """Put each section's file in its place, and in that those of its parts. What the element itself holds, such as properties,
-    comes before it."""
+    comes before it. Files that those name are left to JSBSim: they may lead in a circle, or double with each level."""
     places = (source.folder, source.folder / "Systems", source.root / "systems")
     for section in [each for each in tree if each.tag in _SECTIONS and each.get("file")]:
         content = parsed(found_in(places, section.attrib.pop("file"), source))
         if "name" in content.attrib:
             section.attrib.setdefault("name", content.attrib["name"])
         section.extend(list(content))
-        _inline(section, source)
+        if levels > 1:
+            _inline(section, source, levels - 1)
 
 
 def found_in(places: Iterable[Path], name: str, source: Source) -> Path:
