@@ -50,7 +50,7 @@ def is_late(i, s):
 def expect_offset(i, change, phi, m, s):
     """Give the model error b, along column i of Phi, the variance of a force of `change` times that column [4, n].
 
-    What was learned of surface i while its force was taken for effectiveness is doubted: the variance of its estimate becomes at
+    What was learned of actuator i while its force was taken for effectiveness is doubted: the variance of its estimate becomes at
     least the square of its distance from 1. How far it has moved by the first such force is kept."""
     n = len(s.lambda_hat)
     if s.moved[i] == 0.0:
@@ -121,7 +121,7 @@ def offset_in_model_error(i, pressure_ratio, m, s):
 
 @compiled
 def was_a_gust(i, offset, pressure_ratio, m, s):
-    """Whether a surface that has moved turns out not to have: an offset as large as the one that was seen at first is out of
+    """Whether an actuator that has moved turns out not to have: an offset as large as the one that was seen at first is out of
     question. It is `BEYOND_SIGMAS` of what is unknown of the `offset_in_model_error` larger than that."""
     n, information, variance = len(s.lambda_hat), 0.0, 0.0
     for row in range(4):
@@ -143,9 +143,9 @@ def take_for_offset(i, offset, s):
 
 @compiled
 def keep_offsets(pressure_ratio, m, c, s):
-    """Keep the offsets of surfaces in the model error b: along their columns of B it does not fade, and its standard deviation is
-    the offset. Where b faded, effectiveness would slowly take its place. Of a surface that has moved it is no more than what was
-    seen at first: with more, the offset of a jammed surface would follow the commands, and it would seem to work."""
+    """Keep offsets and moves in the model error b: along their columns of B it does not fade, and its standard deviation is
+    the offset. Where b faded, effectiveness would slowly take its place. Of one that has moved it is no more than what was
+    seen at first: with more, the offset of a jammed one would follow the commands, and it would seem to work."""
     n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
         if s.moved[i] != 0.0 or s.offset[i] != 0.0:
