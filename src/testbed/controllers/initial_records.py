@@ -96,7 +96,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
 
 
 def _turns(b: np.ndarray, noise: np.ndarray, kinds: Sequence[str]) -> np.ndarray:
-    """[n] the servos, and the motors whose thrust shows more in the rates of rotation than in u_dot, each over its noise."""
+    """[n] the servos, and what gives thrust that shows more in the rates of rotation than in u_dot, each over its noise."""
     shown = (b / noise[:, None]) ** 2
     return (np.array(kinds) == "servo") | (shown[:3].sum(axis=0) > shown[3])
 

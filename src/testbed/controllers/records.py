@@ -132,7 +132,7 @@ SETTINGS = (
     Field("flag_std_max", (), "1", "largest standard deviation of an estimate that may raise a flag"),
     Field("process_noise", (), "1/sqrt(s)", "of effectiveness, modelled as a random walk"),
     Field("forgetting_time", (), "s", "time constant of forgetting in recursive least squares"),
-    Field("turns", (_N,), "flag", "a change of its position is told from gusts: of a surface, or a motor that turns the aircraft"),
+    Field("turns", (_N,), "flag", "a change of its position is told from gusts: of a surface, or thrust that turns the aircraft"),
     Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
     Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),

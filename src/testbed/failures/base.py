@@ -81,7 +81,7 @@ class Failure(Settings):
     """Whether its course is random: then its random numbers depend on its place among the failures of a scenario."""
     harmless: ClassVar[Mapping[str, Any] | None] = None
     """Fields with which it has no effect on any actuator, if there are such."""
-    said: ClassVar[str]
+    said: ClassVar[str] = ""
     """What it does to its actuator, as `words` says it, which fills in `{0.value:g}` for a field and `{unit}`."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
@@ -124,6 +124,8 @@ class Failure(Settings):
             kind: of the actuator, one of `kinds`.
             unit: of the failure's values: "deg" for a servo's, "of throttle" for those of a motor or engine.
         """
+        if not self.said:
+            raise NotImplementedError(f"{type(self).__name__} has neither `said` nor `words`")
         return self.said.format(self, unit=unit)
 
     def properties(self, aircraft: Aircraft) -> Mapping[str, float | Capture]:
@@ -173,12 +175,15 @@ class ActuatorFailure(Failure):
         """Lowest and highest command, in the actuator's own unit (degrees or throttle)."""
         return travel_of(aircraft.actuators[self.actuator])
 
+    def unit(self, aircraft: Aircraft) -> str:
+        """The actuator's own unit, in words for messages."""
+        return aircraft.actuators[self.actuator].unit if self.is_servo(aircraft) else "throttle"
+
     def outside(
         self, aircraft: Aircraft, field: str, low: float, high: float, per: str = ""
     ) -> Iterator[Issue]:
         """An issue if this field is outside `low` to `high`, in the actuator's own unit followed by `per` (such as "/s")."""
         value = getattr(self, field)
         if value is not None and not low <= value <= high:
-            unit = aircraft.actuators[self.actuator].unit if self.is_servo(aircraft) else "throttle"
-            what = f"{value:g} {unit}{per} is outside {self.actuator}'s range"
+            what = f"{value:g} {self.unit(aircraft)}{per} is outside {self.actuator}'s range"
             yield Issue((field,), what, f"{low:g} to {high:g}")

@@ -169,8 +169,8 @@ class Autopilot:
         environment: Mapping[str, str] | None = None,
     ) -> None:
         """Start it with no input; at its end the sockets are closed too."""
-        write_new(self._folder / CONSOLE)
         try:
+            write_new(self._folder / CONSOLE)
             with open(self._folder / CONSOLE, "r+b") as console:
                 self._process = subprocess.Popen(
                     guarded(command),

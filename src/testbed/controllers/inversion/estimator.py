@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.law import beyond_tangent, low_pass
-from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
+from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
@@ -87,7 +87,7 @@ def expect_change(e, phi, m, c, s):
     rate is one over the variance of its mean: gusts of two-sided density S leave S / 2T, and b adds its own. The test value is
     (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `JAM_MOVES_FACTOR` for a jammed
     actuator. If the best is above `CHANGE_SIGMA`^2, and `CHANGE_LEAD`^2 times the next best, the variance of that estimate becomes
-    at least the square of the change. If no effectiveness explains the change, that variance goes to the model error along the
+    at least the square of the change. If the change `is_of_position`, that variance goes to the model error along the
     actuator's column of Phi.
     """
     for row in range(4):  # the mean of the innovation e - b
@@ -109,7 +109,7 @@ def expect_change(e, phi, m, c, s):
         elif ratio > second:
             second = ratio
     if first > CHANGE_SIGMA * CHANGE_SIGMA and first > CHANGE_LEAD * CHANGE_LEAD * second:
-        if no_effectiveness(best, s.lambda_hat[best] + change, m, c, s):
+        if is_of_position(best, s.lambda_hat[best] + change, m, c, s):
             expect_offset(best, change, phi, m, s)
         else:
             most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE

@@ -195,7 +195,7 @@ def reach(i, m, c, s):
 def compensate(m, c, k, s):
     """Section 2.2.1: u = Lambda_hat^-1 (r - shift), within the stops; a failed actuator is sent to its trim position.
 
-    `shift` is the offset of a surface that has moved from its command (`offset_detection`), and 0 for all others.
+    `shift` is the offset of an actuator that has moved from its command (`offset_detection`), and 0 for all others.
     """
     for i in range(len(s.u)):
         # section 2.2.1, in (8): u = Lambda_hat^-1 r

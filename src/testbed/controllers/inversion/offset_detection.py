@@ -7,8 +7,8 @@ An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when
 it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
 up for it by its `shift`.
 
-A motor whose thrust turns the aircraft moves in the same way, but what it gives beside its throttle is a jam in the end. Thrust
-that shows in u_dot alone looks like drag and gusts, and is left to the model error b.
+A motor or engine whose thrust turns the aircraft moves in the same way, but what it gives beside its throttle is a jam in the
+end. Thrust that shows in u_dot alone looks like drag and gusts, and is left to the model error b.
 
 Letters: those of `records`.
 """
@@ -32,9 +32,9 @@ BEYOND_SIGMAS = 3.0
 
 
 @compiled
-def no_effectiveness(i, estimate, m, c, s):
-    """Whether actuator i is in use, and its change is one of position: it cannot have this effectiveness, or it has moved already.
-    One that acts late is excluded, because a wrong time explains such changes too."""
+def is_of_position(i, estimate, m, c, s):
+    """Whether actuator i is in use, and its change to this `estimate` is one of position: it cannot have this effectiveness, or it
+    has moved already. One that acts late is excluded, because a wrong time explains such changes too."""
     in_use = c.tests_offsets and c.turns[i] and not (s.failed[i] or s.jammed[i])
     possible = s.moved[i] == 0.0 and c.lambda_min <= estimate <= c.lambda_max
     return in_use and not is_late(i, s) and not possible
