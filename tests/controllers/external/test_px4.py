@@ -98,8 +98,8 @@ def test_one_that_never_connects(monkeypatch):
 def test_one_that_never_sends_controls(monkeypatch):
     monkeypatch.setenv("FAKE_AT", "0")
     monkeypatch.setenv("FAKE_FAULT", "stalls")
-    monkeypatch.setattr(px4, "START_S", 0.5)
-    assert "before the flight it has sent no controls within 0.5 s" in refused()
+    monkeypatch.setattr(px4, "START_S", 5.0)  # in which a busy machine starts a Python
+    assert "before the flight it has sent no controls within 5 s" in refused()
 
 
 @pytest.mark.nightly
