@@ -31,13 +31,13 @@ TABLE = {
     "suite": "testbed.studies.benchmark.model:Suite",
     "sweep": "testbed.studies.model:Sweep",
 }
-"""The kinds of file that have a schema: module and name of the model of each."""
+"""The kinds of file that have a schema: `module:name` of the model of each."""
 
 _NAMES = {
     ("Requirement", "metric"): "testbed.metrics:TABLE",
     ("Scenario", "reference"): "testbed.scenario.references:TABLE",
 }
-"""Texts that are names of parts: (model, key), and module and name of the table, which `--with` adds to."""
+"""Texts that are names of parts: (model, key), and `module:name` of the table, which `--with` adds to."""
 
 
 def text_of(kind: str) -> str:

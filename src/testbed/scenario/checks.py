@@ -52,9 +52,8 @@ def unknown_names(
         properties: those of the loaded JSBSim model, and whether each can be written; not used without failures.
     """
     issues = list(_names(scenario, signals, metrics, in_flight))
-    if (
-        scenario.failures
-    ):  # to save time: a model may have a thousand properties, and this is done for each flight
+    if scenario.failures:
+        # Not without them, to save time: a model may have a thousand properties, and each flight is checked.
         writable = {same_property(name): can for name, can in properties.items()}
         for i, failure in enumerate(scenario.failures):
             issues += _unwritable(failure, aircraft, writable, ("failures", i))
@@ -140,8 +139,8 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
 
 
 def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
-    """Path and time [s] of everything that begins in the flight; durations that it must be longer than are among them,
-    such as what formulas look ahead."""
+    """Path and time [s] of everything that begins in the flight, and durations that the flight must be longer than, such as
+    what formulas look ahead."""
     air = scenario.atmosphere
     yield from _given(("failures",), scenario.failures, "at_s")
     yield from _given(("sensors", "faults"), scenario.sensors.faults, "at_s")

@@ -108,7 +108,7 @@ class Stopping:
     def advance(self, plan: Plan, store: Store) -> bool:
         """Add the runs that have become complete, in order up to the first that is not; returns whether to stop.
 
-        So that does not depend on the order in which flights finish.
+        Whether it stops does not depend on the order in which flights finish.
         """
         n = len(plan.variants)
         while self._rule and self.stopped_at is None and self.runs < plan.runs:

@@ -195,9 +195,8 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     for name, digest in now.get("controllers_sha256", {}).items():
         if known.get(name) != digest:
             yield f"other code of {name}, which has changed since"
-    parts, used = (
-        each.get("parts_sha256", {}) for each in (before, now)
-    )  # none in an earlier version's folder
+    # A folder of an earlier version has none.
+    parts, used = (each.get("parts_sha256", {}) for each in (before, now))
     for name in sorted({*parts, *used}):
         if name not in parts:
             yield f"no parts {name}, which are used now"

@@ -122,7 +122,7 @@ def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool
 
     def search(flights: Flights) -> list[Found]:
         states = [LimitState(plan, part, flights) for part in plan.parts]
-        _refuse_broken(plan, states)  # by all origins, which so every shard flies
+        _refuse_broken(plan, states)  # by the origins of all parts: every shard flies them
         found = [_found(plan, state) for state in states[k::n]]
         if options.shard is None:
             table.write(plan, lambda: _rows(states), flights.store.folder)

@@ -47,7 +47,7 @@ def drawn_inputs(frame: pd.DataFrame, paths: list[str]) -> list[str]:
 
 
 def pass_shares(rows: pd.DataFrame, path: str) -> list[list[Any]]:
-    """[at, share, low, high, flights] that pass in each part of an input's values, or for each of its names.
+    """The share of flights that pass in each part of an input's values, or for each of its names: [at, share, low, high, flights].
 
     `at` is the mean value of a part, or the name.
 
