@@ -198,9 +198,11 @@ def memory(
     )  # fmt: skip
     begun, found, due = time.monotonic(), list[tuple[int, int, int]](), command.kept()
     while process.poll() is None:
+        workers = [pid for pid, _, parent in _processes() if parent == process.pid]
+        memory = _resident_mb(process.pid), max(map(_resident_mb, workers), default=0)
+        # The number comes last: the table was not begun before flights that are still to come.
         if (done := command.kept()) >= due:
-            workers = [pid for pid, _, parent in _processes() if parent == process.pid]
-            found.append((done, _resident_mb(process.pid), max(map(_resident_mb, workers), default=0)))
+            found.append((done, *memory))
             due += flights // samples
         if time.monotonic() - begun > longest_s:
             process.send_signal(signal.SIGINT)
