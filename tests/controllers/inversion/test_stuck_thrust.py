@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from vtail_setup import DT
 
+import testbed
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.controllers.config import AdaptiveInversionSettings
@@ -16,16 +18,17 @@ from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.mode_trim import airspeed_range, margins, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
+from testbed.controllers.inversion.regulator import design_regulator
 from testbed.controllers.inversion.steady_flights import at_airspeeds, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 from testbed.controllers.setup import Setup, setup_for
 
 ENGINE = 3
-"""Index of the only propeller of the aerosonde."""
+"""Index of the only propeller or engine."""
 
 
-def aerosonde_setup() -> Setup:
-    aircraft = load_aircraft("aerosonde")
+def setup_of(name: str) -> Setup:
+    aircraft = load_aircraft(name)
     model = load_design_model(aircraft.folder / DESIGN_MODEL)
     positions = [math.degrees(p) if k == "servo" else p for p, k in zip(model.trim, model.kinds, strict=True)]
     settings = AdaptiveInversionSettings()
@@ -33,7 +36,7 @@ def aerosonde_setup() -> Setup:
     return setup_for(aircraft, model, settings, DT, commands, positions, model.alpha_rad)
 
 
-SETUP = aerosonde_setup()
+SETUP = setup_of("aerosonde")
 V, SCALE = SETUP.model.airspeed_m_s, float(SETUP.scale[ENGINE])
 TRIM_N = SETUP.model.trim[ENGINE]
 
@@ -101,3 +104,12 @@ def test_an_airspeed_that_cannot_be_is_not_believed() -> None:
     for measured in (0.0, -5.0, math.nan):
         modes.switch(1, measured)
         assert modes.mode.failed == ("propeller",) and np.all(np.isfinite(modes.record[0].K))
+
+
+def test_with_thrust_short_of_least_drag_the_flight_is_not_slower_than_that(tmp_path: Path) -> None:
+    """Slower, an elevator that holds altitude leaves the airspeed unstable: the trim of most margin asked for 1e4 rad/s2 per rad."""
+    setup = setup_of(str(testbed.adopt("t6texan2", tmp_path / "adopted").folder))
+    mode = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)[(ENGINE,)]
+    for position in np.arange(1.3, 2.1, 0.1):
+        regulator = design_regulator(setup, mode, {ENGINE: position})
+        assert "altitude" in regulator.held and np.abs(regulator.K).max() < 500.0

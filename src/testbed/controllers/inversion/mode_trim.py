@@ -176,7 +176,7 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
         if _has_motor(degraded):
             yield _level_at_one(degraded), ("altitude", "heading"), preference, 1.0
         elif degraded.thrusts:
-            yield from _with_stuck_thrust(degraded, preference)
+            yield from _with_stuck_thrust(degraded)
         yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
         return
     flights, one = _level_anywhere(degraded), _wings_level(_level_at_one(degraded))
@@ -192,12 +192,12 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 
 
-def _with_stuck_thrust(degraded: DegradedAircraft, preference: Preference) -> Iterator[Attempt]:
+def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
     yield _level_at_one(degraded), ("altitude", "heading"), _fastest, 1.0
     flights = _at_any_airspeed(degraded)
     nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
-    yield nearly_level, ("altitude", "heading"), preference, 1.0
+    yield nearly_level, ("altitude", "heading"), _fastest, 1.0
     yield flights, ("airspeed", "heading"), _shallowest(degraded), 1.0
 
 
@@ -230,7 +230,8 @@ def _nearest(airspeed: float) -> Preference:
 
 def _fastest(flights: SteadyFlight) -> np.ndarray:
     """With thrust that is stuck, the fastest level flight is the one without sideslip, and on the stable side of least drag: an
-    aircraft that has become slow there has thrust to spare."""
+    aircraft that has become slow there has thrust to spare. Slower than least drag, altitude that is held by the elevator alone
+    leaves the airspeed unstable, and the regulator's gains grow without limit towards it: 2500 deg/s2 were asked per degree."""
     return flights.state[:, AIRSPEED]
 
 
