@@ -107,7 +107,7 @@ def test_an_airspeed_that_cannot_be_is_not_believed() -> None:
 
 
 def test_with_thrust_short_of_least_drag_the_flight_is_not_slower_than_that(tmp_path: Path) -> None:
-    """Slower, an elevator that holds altitude leaves the airspeed unstable: the trim of most margin asked for 1e4 rad/s2 per rad."""
+    """Slower, an elevator that holds altitude leaves the airspeed unstable; the trim of most margin asked for 1e4 rad/s2 a rad."""
     setup = setup_of(str(testbed.adopt("t6texan2", tmp_path / "adopted").folder))
     mode = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)[(ENGINE,)]
     for position in np.arange(1.3, 2.1, 0.1):
