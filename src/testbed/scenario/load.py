@@ -52,7 +52,7 @@ def changed(scenario: Scenario, settings: Mapping[str, Any]) -> Scenario:
 def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     """As `load_scenario`, from a tree to which overrides have been applied already. The tree is changed."""
     _drop_settings_of_other_controllers(source)
-    _drop_commands_after_the_end(source)
+    drop_commands_after_the_end(source)
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems
     tree = source.tree
@@ -140,7 +140,7 @@ def _drop_settings_of_other_controllers(source: Source) -> None:
             del controller[name]
 
 
-def _drop_commands_after_the_end(source: Source) -> None:
+def drop_commands_after_the_end(source: Source) -> None:
     """After `--set duration_s=...`, drop the file's commands that come later. Failures and requirements that do are refused:
     without them it would be another test."""
     end, commands = source.tree.get("duration_s"), source.tree.get("commands")
