@@ -157,17 +157,22 @@ def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] =
     """The lines of what each part of the default brings, also where it acts, which say it if they were flown with another law."""
     _, lines = cut(markdown(summary), "## What the parts of")
     before = summary["law_sha256"]
-    other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
-    return ["", *lines, f"Of the first {summary['draws']} draws{other}.", *where_they_act(acts)]
+    other = "" if before == law else f", seed {summary['seed']}{_with_another(before)}"
+    return ["", *lines, f"Of the first {summary['draws']} draws{other}.", *where_they_act(acts, law)]
 
 
-def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
+def _with_another(law: str) -> str:
+    return f", flown with another law, `{law[:16]}`"
+
+
+def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[str]:
     """A table of what single parts bring in the kinds of flights that they are for: differences from the default."""
     if not summaries:
         return
     first = summaries[0]
     yield ""
-    yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}, minus `default`."
+    other = "" if first["law_sha256"] == law else _with_another(first["law_sha256"])
+    yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}{other}, minus `default`."
     yield from ("", "| flights | without | survived | held | inside |", "| --- | --- | --- | --- | --- |")
     for summary in summaries:
         for name in summary["ablated"]:
@@ -225,11 +230,9 @@ def kept(page: str, law: str) -> list[str]:
     flown = re.search(r"seed (\d+), .*? digest `(\w+)`", page)
     if flown is None or law.startswith(flown[2]) or "another law" in section[0]:
         return ["", section[0], *table]
-    return [
-        "",
-        f"{section[0].removesuffix('.')}, seed {flown[1]}, flown with another law, `{flown[2]}`.",
-        *table,
-    ]
+    other = _with_another(flown[2])
+    before = f"{section[0].removesuffix('.')}, seed {flown[1]}{other}."
+    return ["", before, *(line.replace(", minus `default`", f"{other}, minus `default`") for line in table)]
 
 
 def environment_of(folder: Path) -> str:
