@@ -121,8 +121,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
     """What the tables of a folder, and of others of the same draws, say; with the law's digest as the folder has it: its flights
     need not be of this commit. Exits if the others have other draws."""
-    if not (folder / "results.csv").is_file():
-        benchmark.rebuild(folder)
+    for each in (folder, *beside):
+        if not (each / "results.csv").is_file():
+            benchmark.rebuild(each)
     law = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["law_sha256"]
     plan, frames = benchmark.plan_of(folder), [benchmark.table(folder)]
     for other in beside:
@@ -203,16 +204,16 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
     against = {name: of_all["scores"][name]["against_reference"] for name in others}
-    more = [_against(against), ""] if others else []
+    more = [_against(against, of_all["draws"]), ""] if others else []
     return ["", "## The nearest rival on more draws", "", *more, words, *tables]
 
 
-def _against(others: dict[str, Any]) -> str:
+def _against(others: dict[str, Any], draws: int) -> str:
     """Differences of controllers from the default in a sentence: of each in *held*, of the nearest in *inside*."""
     held = (f"`{name}` {_difference(one['held'])}" for name, one in others.items())
     name, best = max(others.items(), key=lambda each: each[1]["inside"]["estimate"])
     inside = _difference(best["inside"])
-    return f"Others, same draws: {'; '.join(held)}. *Inside*, the nearest: `{name}`, {inside}."
+    return f"Others, the first {draws} draws: {'; '.join(held)}. *Inside*, the nearest: `{name}`, {inside}."
 
 
 def _difference(one: dict[str, float]) -> str:
