@@ -22,6 +22,7 @@ from command_line import Called
         (["certify", "a", "--error", "10%"], "argument --error: is '10%', expected a number"),
         (["sweep", "a", "--rnus", "3"], "not known: --rnus 3, did you mean --runs?"),
         (["sweep", "a", "--rnus=3"], "not known: --rnus=3, did you mean --runs?"),
+        (["report", "a", "--runs", "3"], "not known: --runs 3, --runs is an option of other commands"),
         (["run", "a", "b"], "not known: b\n"),
     ],
 )

@@ -79,11 +79,13 @@ class Parser(argparse.ArgumentParser):
         """Print usage and what is wrong, and end the process with status 2."""
         unknown = _UNKNOWN.fullmatch(message)
         if unknown:
-            words = unknown[1].split(" ")
-            close = [
-                did_you_mean(word.partition("=")[0], _options(self)) for word in words if word[:1] == "-"
-            ]
-            meant = "".join(f", did you mean {option}?" for option in dict.fromkeys(filter(None, close)))
+            options = [word.partition("=")[0] for word in unknown[1].split(" ") if word[:1] == "-"]
+            close = {option: did_you_mean(option, _options(self)) for option in options}
+            meant = "".join(
+                f", did you mean {near}?" if near != option else f", {option} is an option of other commands"
+                for option, near in close.items()
+                if near
+            )
             message = f"not known: {unknown[1]}{meant}"
         super().error(message)
 

@@ -20,7 +20,7 @@ from testbed.inputs.kinds import refuse_other
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
-from testbed.scenario.load import default_at, drop_commands_after_the_end
+from testbed.scenario.load import default_at
 from testbed.studies.drawing.builder import TYPE, Builder, Variant
 from testbed.studies.drawing.cases import complete, read_cases
 from testbed.studies.model import MOST_FLIGHTS, MOST_LEVELS, Study, Sweep
@@ -82,7 +82,6 @@ def study_of(
     base = _base(study, source)
     for key, value in study.set.items():
         overrides.set_value(base, key.split("."), value, _place(source, ("set", key)), default_at)
-    drop_commands_after_the_end(base)  # here, so that the folder's file says what is flown
     if own:
         study = _comparing(own, study, source, base)
     unknown = {name: OwnController(name, *_split(text)) for name, text in study.controllers.items()}

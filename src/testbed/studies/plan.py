@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
 
 from testbed.aircraft.changes import name_in
-from testbed.scenario.load import placed_name
+from testbed.scenario.load import drop_commands_after_the_end, placed_name
 from testbed.studies.drawing import sampling
 from testbed.studies.drawing.builder import Builder, Task, Variant
 from testbed.studies.model import StopWhen, Study
@@ -109,8 +109,10 @@ class Plan:
     @cached_property
     def tree(self) -> dict[str, Any]:
         """The contents of the study's file in its folder: resolved, with the scenario inside, so that it flies again as it is."""
-        study = self.study
-        tree = {"name": self.name, **study.settings(), "scenario": self.builder.base.tree}
+        study, base = self.study, replace(self.builder.base, tree=copy.deepcopy(self.builder.base.tree))
+        if not any(path.startswith("commands") for path in (*self.paths, *study.compare)):
+            drop_commands_after_the_end(base)
+        tree = {"name": self.name, **study.settings(), "scenario": base.tree}
         tree |= {"seed": study.seed, "time_limit_s": study.time_limit_s}
         vary = {} if self.cases is not None else {path: _spec(d) for path, d in study.vary.items()}
         more = {"vary": vary, "compare": study.compare, "controllers": study.controllers}
