@@ -53,6 +53,22 @@ def test_the_resolved_sweep_draws_the_same(tmp_path: Path) -> None:
     assert again.tree == plan.tree
 
 
+@pytest.mark.parametrize(
+    ("path", "kept"),
+    [("initial.airspeed_m_s: {uniform: [17, 19]}", 0), ("commands.0.at_s: {uniform: [1, 2]}", 1)],
+)
+def test_the_file_of_a_shorter_sweep_has_the_commands_that_are_flown(
+    tmp_path: Path, path: str, kept: int
+) -> None:
+    """All but those after the new end, whose times are not varied."""
+    scenario = "{name: a, aircraft: vtail, duration_s: 40, commands: [{at_s: 15, heading_deg: 30}]}"
+    file = tmp_path / "late.yaml"
+    file.write_text(f"scenario: {scenario}\nvary: {{{path}}}\nruns: 1\n")
+    plan = load_sweep(file, ["duration_s=10"])
+    assert len(plan.tree["scenario"]["commands"]) == kept
+    assert len(plan.builder.scenario(plan.task(0)).commands) == 1 + kept  # and that of the start
+
+
 def test_without_a_name_it_is_named_after_its_file(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path, SWEEP.replace("name: small\n", ""), "left_tail.yaml"))
     assert plan.name == "left tail"
