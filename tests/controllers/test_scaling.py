@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from vtail_setup import vtail_setup
 
-from testbed.aircraft.control_design import ControlDesign, Loops, StateDeviations
+from testbed.aircraft.control_design import AllocationWeights, ControlDesign, Loops, StateDeviations
 from testbed.aircraft.design_model import DesignModel
+from testbed.common.signals import RATES
+from testbed.controllers.released_axes import authorities
 from testbed.controllers.scaling import excess_u_dot, gust_density, model_error_std, scaled
 
 SETUP = vtail_setup()
@@ -63,6 +65,23 @@ def test_twice_as_fast_has_twice_the_lengths_and_speeds() -> None:
     assert two.loops.altitude_ki == pytest.approx(0.5 * one.loops.altitude_ki)
     assert two.regulator.states.altitude == pytest.approx(2.0 * one.regulator.states.altitude)
     assert two.regulator.states.pitch == one.regulator.states.pitch == StateDeviations().pitch
+
+
+def test_in_units_of_authority_no_axis_weighs_more_than_a_more_important_one() -> None:
+    """The v-tail has less authority in roll than in yaw, and in yaw than in pitch; most aircraft have the most in roll."""
+    weights = design().allocation
+    assert (weights.p_dot, weights.q_dot, weights.r_dot) == (1.0, 1.0, 1.0)
+    rolls = np.array(MODEL.input_matrix)
+    rolls[0] *= 40.0
+    fast = replace(MODEL, input_matrix=tuple(map(tuple, rolls)))
+    weights = design(fast).allocation
+    each = {one.axis: one.authority for one in authorities(fast, LIMITS, RATES, range(4))}
+    assert weights.p_dot * each["p_dot"] == pytest.approx(min(each["q_dot"], each["r_dot"]))
+    assert (weights.q_dot, weights.r_dot) == (1.0, 1.0) and weights.p_dot < 0.2
+    given = design(fast, control=ControlDesign(allocation=AllocationWeights(p_dot=2.0))).allocation
+    assert (given.p_dot, given.r_dot) == (2.0, 1.0)
+    first = design(fast, control=ControlDesign(priorities=("p_dot", "q_dot", "r_dot", "u_dot"))).allocation
+    assert first.p_dot == 1.0
 
 
 def test_little_authority_slows_the_whole_cascade() -> None:

@@ -140,11 +140,13 @@ class AllocationWeights(Settings):
     """Weights of the least squares that says what gives way when actuators reach their stops: of a miss of each rate
     [1 per rad/s2; u_dot 1 per m/s2], and of a deviation from the trim positions [1 per unit of an actuator's `scale`].
 
-    A miss of airspeed is made up for later, a miss of attitude may not be. The deviation decides where the rates do not."""
+    A miss of airspeed is made up for later, a miss of attitude may not be. The deviation decides where the rates do not. By default
+    an axis weighs 1 per rad/s2, or less where it has more authority than a more important one: in units of authority, its miss
+    never counts for more."""
 
-    p_dot: Positive = 1.0
-    q_dot: Positive = 1.0
-    r_dot: Positive = 1.0
+    p_dot: Positive = DERIVED
+    q_dot: Positive = DERIVED
+    r_dot: Positive = DERIVED
     u_dot: Positive = 0.15
     deviation: Positive = 0.001
 

@@ -53,6 +53,7 @@ _DEMANDS = {
 }
 """Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), 25 deg of bank, and 0.15
 rad of sideslip."""
+_NO_AUTHORITY = 1e-3  # rad/s2
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
 _AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator
@@ -93,6 +94,8 @@ def _computed(
     released: Sequence[str],
 ) -> ControlDesign:
     v, weights = model.airspeed_m_s, control.regulator
+    kept = [axis for axis in RATES if axis not in released]
+    authority = {each.axis: each.authority for each in authorities(model, limits, kept, range(len(lags)))}
     states = {"airspeed": _AIRSPEED_SHARE * v, "altitude": v / 12.0}
     regulator = {
         "states": _completed(weights.states, states),
@@ -101,8 +104,9 @@ def _computed(
     return control.model_copy(
         update={
             "loops": _completed(
-                control.loops, {**_loops(model, limits, lags, released), **_lost_thrust(control.loops, v)}
+                control.loops, {**_loops(model, limits, lags, authority), **_lost_thrust(control.loops, v)}
             ),
+            "allocation": _completed(control.allocation, _allocation(authority, control.priorities)),
             "regulator": weights.model_copy(update=regulator),
             "disturbance": _completed(control.disturbance, _by_rate(gust_density(model))),
             "model_error_std": _completed(control.model_error_std, _by_rate(model_error_std(model))),
@@ -149,13 +153,10 @@ def excess_u_dot(model: DesignModel, limits: np.ndarray) -> float:
 
 
 def _loops(
-    model: DesignModel, limits: np.ndarray, lags: Sequence[float], released: Sequence[str]
+    model: DesignModel, limits: np.ndarray, lags: Sequence[float], authority: Mapping[str, float]
 ) -> dict[str, float]:
     """Gains and limits of the outer loops, as `Loops`."""
     v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
-    kept = [axis for axis in RATES if axis not in released]
-    every = range(len(lags))
-    authority = {each.axis: each.authority for each in authorities(model, limits, kept, every)}
     gains = _gains(model, authority, lags)
     climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
     return {
@@ -169,6 +170,19 @@ def _loops(
         "protect_from_m_s": v / 9.0,
         "fast_climb_s": v / 36.0,
     }
+
+
+def _allocation(authority: Mapping[str, float], priorities: Sequence[str]) -> dict[str, float]:
+    """Weights of the rates of rotation, as `AllocationWeights`: the least authority of an axis and of all more important ones, over
+    its own. With equal weights a weak aileron's missing roll, which asks for accelerations that no rudder can give, took all of the
+    rudder, and the yaw that came with it lost the aircraft."""
+    weights, least = dict.fromkeys(_DEMANDS, 1.0), math.inf
+    for axis in priorities:
+        if axis in weights and axis in authority:
+            own = max(authority[axis], _NO_AUTHORITY)
+            least = min(least, own)
+            weights[axis] = least / own
+    return weights
 
 
 def path_lag(model: DesignModel) -> float:
@@ -209,7 +223,7 @@ def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
 
 def _pace(authority: float, demand: float) -> float:
     """How fast a cascade can be, as a fraction of that with ample authority: accelerations go with its square."""
-    return min(1.0, math.sqrt(max(authority, 1e-3) / (_AMPLE * demand)))
+    return min(1.0, math.sqrt(max(authority, _NO_AUTHORITY) / (_AMPLE * demand)))
 
 
 def _by_rate(values: np.ndarray) -> dict[str, float]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 from scipy.optimize import lsq_linear
 from vtail_setup import WEATHER, Records, axial, records_of, vtail_setup
 
+import testbed
 from testbed.controllers.actuator_model import throttle_for
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import invert
@@ -134,3 +137,28 @@ def test_allocation_ends_in_commands_within_the_stops() -> None:
     assert np.all(s.u >= m.low) and np.all(s.u <= m.high)
     assert s.command[:2] == pytest.approx(s.u[:2] * SETUP.scale[:2])
     assert s.command[2] == throttle_for(2, s.u[2] * SETUP.scale[2], ALONG, m, s)
+
+
+@pytest.mark.nightly
+def test_the_rudder_is_not_thrown_over_for_the_roll_of_a_weak_aileron(tmp_path: Path) -> None:
+    """An F-15's aileron has 0.4 of its effect. With equal weights of all axes its rudder goes to the stop: lost in 7 s."""
+    flown = {}
+    for name, weights in {"derived": {}, "equal": {"p_dot": 1.0, "q_dot": 1.0, "r_dot": 1.0}}.items():
+        folder = testbed.adopt("f15", tmp_path / name / "f15").folder
+        description = yaml.safe_load((folder / "f15.yaml").read_text())
+        description.setdefault("control", {})["allocation"] = weights
+        (folder / "f15.yaml").write_text(yaml.safe_dump(description))
+        at = description["reference"]
+        start = {"altitude_m": at["altitude_m"], "airspeed_m_s": at["airspeed_m_s"], "heading_deg": 90}
+        scenario = {
+            "name": name, "aircraft": str(folder), "duration_s": 40, "seed": 94001, "initial": start,
+            "controller": {"type": "adaptive_inversion"},
+            "commands": [{"at_s": 0, **start}, {"at_s": 5, "heading_deg": 120}],
+            "failures": [{"type": "effectiveness", "actuator": "aileron", "at_s": 20, "value": 0.4}],
+            "atmosphere": {"turbulence_w20_m_s": 7.62},
+        }  # fmt: skip
+        file = tmp_path / f"{name}.yaml"
+        file.write_text(yaml.safe_dump(scenario))
+        flown[name] = testbed.fly(file).summary
+    assert flown["derived"]["outcome"] == "completed"
+    assert flown["equal"]["outcome"] == "envelope_exceeded"  # the control: the weights decide it

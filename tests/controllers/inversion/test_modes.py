@@ -103,7 +103,7 @@ def test_axes_that_the_aircraft_does_not_have_stay_given_up() -> None:
 
 
 def test_released_axes_have_no_weight_in_the_allocation() -> None:
-    weights = AllocationWeights(r_dot=2.0, u_dot=0.5)
+    weights = AllocationWeights(p_dot=1.0, q_dot=1.0, r_dot=2.0, u_dot=0.5)
     row_weight, hessian = allocation_of(B, ("p_dot",), weights)
     assert row_weight.tolist() == [0.0, 1.0, 4.0, 0.25]
     d = np.array([0.3, -0.2, 0.5, 0.1])
