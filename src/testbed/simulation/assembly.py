@@ -25,8 +25,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 from testbed.scenario.model import Scenario
 from testbed.scenario.references import references
-from testbed.sensors.sensed import Sensed
-from testbed.sensors.suite import RealSensors
+from testbed.sensors.suite import RealSensors, Sensed
 from testbed.simulation.check import check, start_of
 
 
