@@ -15,8 +15,7 @@ from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
 from testbed.flight.columns import Row, row_columns
 from testbed.flight.flight import Outcome
-from testbed.injection.injector import Planned
-from testbed.injection.replanning import mended, with_failure
+from testbed.injection.injector import Planned, mended, with_failure
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.flight import ReportedFlight
 from testbed.scenario.checks import MAX_STEPS
