@@ -25,10 +25,9 @@ from testbed.scenario.model import Command, Scenario
 from testbed.scenario.references import references
 from testbed.sensors.channels import channels_of
 from testbed.sensors.faults import SensorFault, with_fault, without_faults
-from testbed.simulation.assembly import assemble
+from testbed.simulation.assembly import Lockstep, assemble
 from testbed.simulation.conclude import conclude
 from testbed.simulation.given import command_of, failure_of, fault_of, gust_of, turbulence_of
-from testbed.simulation.lockstep import Lockstep
 
 
 class Session:
