@@ -6,7 +6,7 @@ it. `--processes` measures wall time.
 
 - `bare_us`: one control step of the plant alone, that is JSBSim's `run()`, from trim in the scenario's air, with constant
   commands, and with nothing read or written.
-- `closed_loop_us`: one control step of a complete flight, `simulation.lockstep.Lockstep`: start of failures and gusts, reading
+- `closed_loop_us`: one control step of a complete flight, `simulation.assembly.Lockstep`: start of failures and gusts, reading
   properties, logging the truth and checking for the end of the flight, sensors, estimation, monitor and mode switches,
   outer loops, inversion, logging telemetry, writing commands, `run()`.
 - `ratio` of the two; `steps_per_s` and `real_time_factor` of the closed loop.
@@ -40,7 +40,7 @@ from testbed.inputs.overrides import apply
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.simulation import Assembly, assemble, assembly, check, conclude, fly
-from testbed.simulation.lockstep import Lockstep
+from testbed.simulation.assembly import Lockstep
 from testbed.studies.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"

@@ -4,7 +4,7 @@
     python benchmarks/tune_rivals.py --candidates                        # what was tried for each, and what each holds
     python benchmarks/tune_rivals.py --aircraft ./c172p ./A320 --draws 60
 
-What belongs to an aircraft follows from its design model (`controllers.scaling`, `controllers.pid_design`). What is left are a few
+What belongs to an aircraft follows from its design model (`controllers.scaling`, `controllers.pid`). What is left are a few
 numbers that are the same for all aircraft: `BUDGET` candidates for each controller, the default law among them; what has
 fewer numbers to choose has fewer. A draw is 80 s with real sensors, a turn and
 a climb, weather, and none, one or two failures. It is held if it is flown to the end with altitude and heading within limits by the

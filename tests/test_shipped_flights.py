@@ -29,7 +29,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import Assembly, assemble, fly
-from testbed.simulation.lockstep import Lockstep
+from testbed.simulation.assembly import Lockstep
 
 TAIL, PROPELLER = "scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml"
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")

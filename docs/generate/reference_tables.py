@@ -24,8 +24,7 @@ from testbed.flight.columns import all_columns
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
 from testbed.sensors.channels import CHANNELS
-from testbed.sensors.mems import MEMS
-from testbed.sensors.settings import Sensors
+from testbed.sensors.settings import MEMS, Sensors
 
 _ROOT = Path(__file__).parents[2]
 

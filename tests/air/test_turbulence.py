@@ -11,8 +11,7 @@ from scipy.stats import ks_2samp
 
 from testbed import fly
 from testbed.air.config import Atmosphere
-from testbed.air.dryden import rolling_intensity
-from testbed.air.turbulence import Turbulence
+from testbed.air.turbulence import Turbulence, rolling_intensity
 from testbed.aircraft.description import load_aircraft
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario

@@ -12,7 +12,7 @@ import pytest
 
 from testbed.common import jit
 from testbed.common.private import cache_home, is_private
-from testbed.plant import model_cache
+from testbed.plant import first_load
 from testbed.studies.benchmark.craft import hangar
 
 VICTIM, OTHER = 4_000_001, 4_000_002
@@ -134,10 +134,10 @@ def test_records_of_aircraft_are_believed_from_private_folders_alone(
     shared: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(shared / "caches"))
-    by(VICTIM, lambda: model_cache.write("digest", {"properties": {}}))
-    assert by(VICTIM, lambda: model_cache.read("digest")) == "{'properties': {}}"
+    by(VICTIM, lambda: first_load.write_record("digest", {"properties": {}}))
+    assert by(VICTIM, lambda: first_load.read_record("digest")) == "{'properties': {}}"
     (shared / "caches").chmod(0o777)
-    assert by(VICTIM, lambda: model_cache.read("digest")) == "None"
+    assert by(VICTIM, lambda: first_load.read_record("digest")) == "None"
 
 
 @pytest.mark.parametrize(

@@ -14,8 +14,7 @@ from vtail_setup import records_of, setpoint, trim_state, vtail_setup
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import PidSettings
 from testbed.controllers.inversion.allocation import allocate_and_command
-from testbed.controllers.pid import gains_record, lateral, longitudinal, mode_record
-from testbed.controllers.pid_design import suited
+from testbed.controllers.pid import gains_record, lateral, longitudinal, mode_record, suited
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT
 from testbed.metrics import readings
 from testbed.simulation import fly

@@ -333,8 +333,8 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.model_files.check import model_problems
     from testbed.inputs.problems import BadInput
-    from testbed.plant import model_cache, probe
-    from testbed.plant.first_load import trust
+    from testbed.plant import probe
+    from testbed.plant.first_load import trust, write_record
 
     begin("checking")
     aircraft = load_aircraft("./vtail")
@@ -344,7 +344,7 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     begin("loading")
     trust(aircraft)
     *_, answer = probe._started(aircraft)
-    model_cache.write(aircraft.fingerprint(), answer)
+    write_record(aircraft.fingerprint(), answer)
     return _scenario(fly, begin)
 
 

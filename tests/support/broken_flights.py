@@ -12,8 +12,8 @@ from testbed.failures import TABLE
 from testbed.flight.flight import Flight
 from testbed.scenario.load import Scenario
 from testbed.simulation import Assembly, assemble
+from testbed.simulation.assembly import Lockstep
 from testbed.simulation.conclude import conclude
-from testbed.simulation.lockstep import Lockstep
 
 AIRCRAFT = load_aircraft("vtail")
 START_S, END_S = 0.5, 1.2

@@ -208,7 +208,7 @@ class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
     With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`). What is not given suits
-    the aircraft (`controllers.pid_design`). Gains are in 1/s unless another unit is given.
+    the aircraft (`controllers.pid`). Gains are in 1/s unless another unit is given.
     """
 
     type: Literal["pid"] = "pid"

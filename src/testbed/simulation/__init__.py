@@ -1,4 +1,4 @@
-"""Fly a scenario: `check` it, put its parts together (`assembly`), step them (`lockstep`, `session`), and `conclude`."""
+"""Fly a scenario: `check` it, put its parts together and step them (`assembly`, `session`), and `conclude`."""
 
 from __future__ import annotations
 

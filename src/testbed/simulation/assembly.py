@@ -1,7 +1,9 @@
-"""The parts of one flight, all made new for it."""
+"""The parts of one flight, all made new for it; and the loop: in each control step all of them take their turn, and its rows are
+recorded."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -13,21 +15,32 @@ from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.conventional_shape import shape_of
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shape import Shape
+from testbed.common.jit import bound
+from testbed.common.signals import SETPOINT, STATE, as_records, longer, telemetry_rows
 from testbed.controllers import Controller
 from testbed.controllers.config import InformedSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import FlightPlan, Setup, setup_for
 from testbed.controllers.user.loader import name_of
 from testbed.controllers.user.own import digest_of
+from testbed.flight.columns import Recorded
+from testbed.flight.flight import Outcome
 from testbed.injection.injector import Injector, Truth
+from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENVELOPE, limits_of, observe
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 from testbed.scenario.model import Scenario
 from testbed.scenario.references import references
-from testbed.sensors.sensed import Sensed
-from testbed.sensors.suite import RealSensors
+from testbed.sensors.suite import RealSensors, Sensed
 from testbed.simulation.check import check, start_of
+
+_OUTCOMES = {
+    GOES_ON: Outcome.completed,  # the last step was reached without any of the others
+    DIVERGED: Outcome.diverged,
+    ON_THE_GROUND: Outcome.ground_contact,
+    OUTSIDE_ENVELOPE: Outcome.envelope_exceeded,
+}
 
 
 @dataclass
@@ -138,3 +151,94 @@ def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
         start.positions,
         start.state["pitch"],
     )
+
+
+class Lockstep:
+    """The parts of one flight, and what they have recorded.
+
+    Attributes:
+        rows: one row for each control step of the whole flight; those flown are filled.
+        done: number of control steps flown.
+        outcome: how the flight ended; None while it goes on.
+        stopped_by: the error that stopped the flight; None if none did.
+    """
+
+    def __init__(self, parts: Assembly) -> None:
+        self.parts, self.done = parts, 0
+        self.outcome: Outcome | None = None
+        self.stopped_by: BaseException | None = None
+        n, steps = len(parts.aircraft.actuators), parts.scenario.steps
+        truth = np.zeros((steps, len(STATE) + 2 * n))
+        measured = np.zeros((steps, len(STATE)))
+        self._bind(Recorded(truth, measured, parts.references, telemetry_rows(steps, n)))
+
+    def _bind(self, rows: Recorded) -> None:
+        """Give the parts the rows that the flight fills."""
+        parts, (truth, measured, setpoints, telemetry) = self.parts, rows
+        self.rows = rows
+        parts.controller.bind(as_records(measured, STATE), as_records(setpoints, SETPOINT), telemetry)
+        if parts.sensors is not None:
+            parts.sensors.bind(truth, measured)
+        if parts.sensed is not None:
+            parts.sensed.bind(truth, measured)
+            parts.controller.bind_sensed(parts.sensed.rows)  # type: ignore[attr-defined]
+        parts.injector.observe(rows)
+        limits = limits_of(parts.aircraft.envelope)
+        self._channels = (parts.plant.raw, parts.plant.factors, limits, truth, measured)
+        self._log_truth = bound(observe, 0, self._channels)
+
+    @property
+    def steps(self) -> int:
+        """Control steps of the whole flight."""
+        return len(self.rows.truth)
+
+    @property
+    def recorded(self) -> Recorded:
+        """The rows of the control steps flown."""
+        return Recorded(*(rows[: self.done] for rows in self.rows))
+
+    def lengthen(self, references: np.ndarray) -> None:
+        """Take more control steps: `references` [steps, 6] begin with those so far, and weather and sensors have theirs."""
+        so_far, steps = self.rows, len(references)
+        telemetry = longer(so_far.telemetry, steps, math.nan)
+        truth, measured = longer(so_far.truth, steps), longer(so_far.measured, steps)
+        self.parts.references = references
+        self._bind(Recorded(truth, measured, references, telemetry))
+
+    def advance(self, until: int) -> None:
+        """Fly up to this control step, or until the flight ends.
+
+        In each control step k, at time k / rate: inject failures, set the wind, read and log the truth, measure, command, stop if
+        the flight has ended, advance the plant.
+
+        Raises BadInput when JSBSim cannot go on, or the user's controller.
+        """
+        plant, controller, injector = self.parts.plant, self.parts.controller, self.parts.injector
+        weather, sensors, sensed = self.parts.weather, self.parts.sensors, self.parts.sensed
+        log_truth, channels, steps = self._log_truth, self._channels, self.steps
+        k, ending = self.done, GOES_ON
+        try:
+            with plant.in_words():
+                for k in range(self.done, min(until, steps)):
+                    if k >= injector.next_step:
+                        injector.apply(k)
+                    if k >= weather.next_step:
+                        weather.apply(k)
+                    plant.sample()
+                    ending = log_truth(k, channels)
+                    if sensors is not None:
+                        sensors.measure(k)
+                    if sensed is not None:
+                        sensed.read(k)
+                    plant.command(controller.step(k))
+                    for delay in injector.filters:
+                        delay()
+                    if ending:
+                        break
+                    plant.step()
+        except BaseException as error:
+            self.done, self.stopped_by = k, error
+            raise
+        self.done = k + 1
+        if ending or self.done == steps:
+            self.outcome = _OUTCOMES[ending]

@@ -18,8 +18,7 @@ from testbed.common.cache import Cache
 from testbed.flight.columns import all_columns, columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
-from testbed.plant import model_cache
-from testbed.plant.first_load import property_catalog
+from testbed.plant.first_load import has_record, property_catalog, write_record
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.model import Scenario
 
@@ -87,7 +86,7 @@ def check_start(aircraft: Aircraft, start: Start, *, remembered: bool = True) ->
     """
     property_catalog(aircraft)
     record = _record(aircraft, start) if remembered else ""
-    if record and model_cache.has(record):
+    if record and has_record(record):
         return
     from testbed.plant.identification import stored
     from testbed.plant.trim import trimmed_start
@@ -96,7 +95,7 @@ def check_start(aircraft: Aircraft, start: Start, *, remembered: bool = True) ->
     trimmed_start(aircraft.nominal, *start)
     stored(aircraft.nominal)
     if record:
-        model_cache.write(record, {})
+        write_record(record, {})
 
 
 def _record(aircraft: Aircraft, start: Start) -> str:

@@ -15,8 +15,7 @@ from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
 from testbed.flight.columns import Row, row_columns
 from testbed.flight.flight import Outcome
-from testbed.injection.injector import Planned
-from testbed.injection.replanning import mended, with_failure
+from testbed.injection.injector import Planned, mended, with_failure
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.flight import ReportedFlight
 from testbed.scenario.checks import MAX_STEPS
@@ -26,10 +25,9 @@ from testbed.scenario.model import Command, Scenario
 from testbed.scenario.references import references
 from testbed.sensors.channels import channels_of
 from testbed.sensors.faults import SensorFault, with_fault, without_faults
-from testbed.simulation.assembly import assemble
+from testbed.simulation.assembly import Lockstep, assemble
 from testbed.simulation.conclude import conclude
 from testbed.simulation.given import command_of, failure_of, fault_of, gust_of, turbulence_of
-from testbed.simulation.lockstep import Lockstep
 
 
 class Session:

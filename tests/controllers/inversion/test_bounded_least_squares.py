@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from testbed.controllers.inversion.bounded_least_squares import MOST_ITERATIONS, bounded_least_squares
+from testbed.controllers.inversion.allocation import MOST_ITERATIONS, bounded_least_squares
 
 PROBLEMS = 10_000
 DEVIATION = 1e-3

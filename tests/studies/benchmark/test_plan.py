@@ -13,7 +13,7 @@ import pytest
 from suite_files import tree, written
 
 from testbed.air.config import severity
-from testbed.air.dryden import EXCEEDED_FT, EXCEEDED_FT_S, intensities_and_lengths
+from testbed.air.turbulence import EXCEEDED_FT, EXCEEDED_FT_S, intensities_and_lengths
 from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import files_in

@@ -1,7 +1,7 @@
 """The parameters with which ArduPilot flies an aircraft at first: what follows from the aircraft, and what the lockstep needs.
 
 A surface's function follows from the axes that it turns, a propeller's from its side. First gains: a rate loop crosses over at a
-third of `pid_design`'s frequency, because the autopilot filters its rates; its feedforward holds a steady rate against the damping.
+third of `pid`'s frequency, because the autopilot filters its rates; its feedforward holds a steady rate against the damping.
 They are a starting point, which a file of the user's and `controller.parameters` override, in this order.
 """
 
@@ -17,7 +17,7 @@ import numpy as np
 from testbed.aircraft.design_model import COLUMNS, ROWS
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import PidSettings
-from testbed.controllers.pid_design import suited
+from testbed.controllers.pid import suited
 from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
 

@@ -13,7 +13,7 @@ import numpy as np
 from testbed.controllers.config import PidSettings
 from testbed.controllers.external import ardupilot_parameters as conventional
 from testbed.controllers.external.ardupilot_parameters import P, Q, R
-from testbed.controllers.pid_design import suited
+from testbed.controllers.pid import suited
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -75,7 +75,7 @@ def _speeds(setup: Setup) -> dict[str, float]:
 
 
 def _gains(setup: Setup) -> dict[str, float]:
-    """Rate loops in a whole deflection per rad/s: the crossover is a third of `pid_design`'s, and feedforward meets the damping."""
+    """Rate loops in a whole deflection per rad/s: the crossover is a third of `pid`'s, and feedforward meets the damping."""
     loops = suited(setup.settings_as(PidSettings), setup)
     effect = np.abs(np.array(setup.model.input_matrix))
     servo = np.array([kind == "servo" for kind in setup.model.kinds])

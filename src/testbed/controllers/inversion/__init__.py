@@ -8,7 +8,7 @@
 * `loss_detection`: the paper's monitor, and what the default law asks beyond it;
 * `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
 * `probing`: whether what is given up works again;
-* `allocation`: what to give up when an actuator reaches a stop, by `bounded_least_squares`.
+* `allocation`: what to give up when an actuator reaches a stop.
 
 When a failure is flagged, `mode_switch` puts another control mode in force. `modes` says which axes it releases and how the others
 are inverted. `regulator` designs the outer loop of a mode with released axes, about the trim that `mode_trim` chooses among the

@@ -33,7 +33,7 @@ from testbed.controllers import Controller
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
-from testbed.controllers.user.loader import Factory, in_words, place_of, raised, shown, undeclared
+from testbed.controllers.user.loader import Factory, in_words, place_of, shown, undeclared
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _UPDATE = "update(time_s, state, reference) -> commands"
@@ -156,12 +156,8 @@ class AsItIs(Adapted):
 
     def step(self, step: int) -> np.ndarray:
         """See `Controller.step`; raises BadInput, with the time, when the user's code fails."""
-        try:
+        with in_words(self._name, f"at {step * self._dt:.3f} s"):
             answer = self._step(step)
-        except (KeyboardInterrupt, BadInput):
-            raise
-        except BaseException as error:
-            raise BadInput([raised(error, self._name, f"at {step * self._dt:.3f} s")]) from error
         return checked(answer, "commands", self._names, self._name, step * self._dt)
 
     @property
@@ -195,13 +191,9 @@ class CustomController(Adapted):
         state = State._make(self._states[step].tolist())
         reference = Reference._make(self._setpoints[step].tolist())
         given = [Sensed._make(self._sensed[step].tolist())] if self.senses else []
-        try:
+        with in_words(self._name, f"at {time_s:.3f} s"):
             answer = self._update(time_s, state, reference, *given)
             kept = [getattr(self._flown, name, None) for name in _KEPT]
-        except (KeyboardInterrupt, BadInput):
-            raise
-        except BaseException as error:  # `sys.exit` too, which would end the command in silence
-            raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
         if step > 0:  # what is done once, as an autopilot's warm-up, says nothing of the others
             self._spent_s += perf_counter() - begin
         if self._spent_s > _SLOW_S:

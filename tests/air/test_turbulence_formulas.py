@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from testbed.air.dryden import (
+from testbed.air.turbulence import (
     EXCEEDED_FT,
     EXCEEDED_FT_S,
     across,

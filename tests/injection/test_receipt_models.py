@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from testbed.injection.expected_response import MOTOR, SERVO, MotorModel, ServoModel
+from testbed.injection.receipt import MOTOR, SERVO, MotorModel, ServoModel
 
 DT_S, LAG_RAD_S = 0.005, 30.0
 HEALTHY_SERVO = {
