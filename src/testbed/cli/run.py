@@ -154,7 +154,7 @@ _NAMED = 3
 
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
-    from testbed.reporting.page.sections import told
+    from testbed.reporting.run_report import told
     from testbed.reporting.story import diagnoses, story
     from testbed.reporting.words import DIGITS
 
