@@ -24,8 +24,7 @@ from testbed.studies.folder.names import log_file
 from testbed.studies.folder.reading import TABLE as FLIGHTS
 from testbed.studies.folder.reading import finished
 from testbed.studies.matrix.load import load_matrix, read_baseline
-from testbed.studies.matrix.plan import MatrixPlan
-from testbed.studies.matrix.summary import summarize
+from testbed.studies.matrix.plan import MatrixPlan, summarize
 from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_sweep
 from testbed.study_reports.matrix import write_matrix_page

@@ -26,8 +26,7 @@ from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.folder.names import in_file_names
 from testbed.studies.model import GOALS, Goal
 from testbed.studies.run import Flights, Options
-from testbed.studies.search.load import load_search
-from testbed.studies.search.plan import SearchPlan
+from testbed.studies.search.plan import SearchPlan, load_search
 from testbed.studies.search.run import Found, run_search
 from testbed.studies.search.summary import nearest, summarize
 from testbed.study_reports.search.report import write_search_page
