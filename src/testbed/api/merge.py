@@ -16,7 +16,7 @@ from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.studies.flying.flight import FLY
 from testbed.studies.flying.pool import serial
-from testbed.studies.folder import reading, store, table
+from testbed.studies.folder import store, table
 from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other, write_study
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
@@ -61,7 +61,7 @@ def merge(
         # What is found by code of the user's cannot be written without it: a search's flights are flown once more.
         by_own = searched and (plan.builder.own or stored.inputs.get("fly") != FLY)
         if words[0] in KEEP_LOGS and not missing:
-            table.write(plan, lambda: reading.records(plan, stored), out)
+            table.write(plan, lambda: table.records(plan, stored), out)
     if missing or by_own:
         return None, missing
     flights = kind.fly(plan, out, Options(workers=serial), resume=True) if searched else None

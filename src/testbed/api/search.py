@@ -23,7 +23,7 @@ from testbed.reporting.attempt import add_report, attempt
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.folder.names import in_file_names
+from testbed.studies.folder.logs import in_file_names
 from testbed.studies.model import GOALS, Goal
 from testbed.studies.run import Flights, Options
 from testbed.studies.search.plan import SearchPlan, load_search

@@ -12,8 +12,8 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import default_jobs, workers
 from testbed.studies.folder import table
-from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
+from testbed.studies.folder.table import records
 from testbed.studies.model import StopWhen
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of

@@ -13,8 +13,8 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting import html
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.words import count
-from testbed.studies.folder import reading
-from testbed.studies.folder.names import in_file_names
+from testbed.studies.folder import table
+from testbed.studies.folder.logs import in_file_names
 from testbed.studies.plan import Plan
 from testbed.studies.summary import metric_names
 from testbed.study_reports.sweep.flight_page import only
@@ -67,9 +67,9 @@ class Change:
 
 def compared(first: Path, second: Path) -> tuple[Change, ...]:
     """Each variant that both sweeps have. Raises BadInput when they have none, or when their draws are not the same."""
-    plans = [reading.load_plan(folder) for folder in (first, second)]
+    plans = [table.load_plan(folder) for folder in (first, second)]
     before, after = (
-        dict(reading.groups_of(plan, reading.load(folder)))
+        dict(table.groups_of(plan, table.load(folder)))
         for plan, folder in zip(plans, (first, second), strict=True)
     )
     if len(before) == len(after) == 1:

@@ -15,8 +15,8 @@ from testbed.reporting.panels import TRACKED, error_panel
 from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
-from testbed.studies.folder.names import in_file_names, log_file
-from testbed.studies.folder.reading import groups_of
+from testbed.studies.folder.logs import in_file_names, log_file
+from testbed.studies.folder.table import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import STATES, judged, missed, requirements_of, state
 from testbed.study_reports.sweep.flight_page import page_of

@@ -15,8 +15,8 @@ from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.words import DIGITS, passing, setting, title
-from testbed.studies.folder import reading
-from testbed.studies.folder.names import flight_label
+from testbed.studies.folder import table
+from testbed.studies.folder.logs import flight_label
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.curves import for_the_script
 from testbed.study_reports.sweep.flight_page import FOLDER, only
@@ -48,9 +48,9 @@ def write_sweep_report(folder: str | Path) -> Path:
     folder = Path(folder).resolve()
     summary = read_json(folder / "summary.json", "the summary that testbed wrote")
     file, name = folder / "report.html", summary["sweep"]
-    if not (folder / "sweep.yaml").is_file() or not len(frame := reading.load(folder)):
+    if not (folder / "sweep.yaml").is_file() or not len(frame := table.load(folder)):
         return html.write_page(file, name, parts(summary, folder))
-    data = {"sweep": for_the_script(reading.load_plan(folder), frame, folder)}
+    data = {"sweep": for_the_script(table.load_plan(folder), frame, folder)}
     return html.write_page(file, name, parts(summary, folder, moving=True), "sweep.js", data)
 
 
