@@ -16,6 +16,7 @@ from testbed.flight.flight import Flight
 from testbed.flight.recovery import UNITS, tracking_error
 from testbed.flight.requirements import worst_s
 from testbed.metrics import TABLE as METRICS
+from testbed.metrics import THEMES
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.html import Html, Part, tag
@@ -26,13 +27,6 @@ from testbed.reporting.story import diagnoses, story
 from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of
 from testbed.scenario.load import dump
 
-_THEMES = {
-    "tracking": "Following the references",
-    "monitoring": "Noticing failures",
-    "estimation": "Estimating effectiveness",
-    "effort": "Effort of the actuators",
-}
-"""Titles of the metrics' modules."""
 _NAMED = 3  # requirements that the verdict names; the others are in the table below
 _CLASSES = {True: "met", False: "missed", None: ""}
 AGAIN = Html("""<p>Run this in the folder of this report.
@@ -223,8 +217,8 @@ def metrics(flight: Flight) -> Iterator[Html]:
     """The metrics by theme, each with its definition; those of another version of testbed last."""
     themes: dict[str, list[str]] = {}
     for name in flight.metrics:
-        module = METRICS[name].__module__.rpartition(".")[2] if name in METRICS else ""
-        themes.setdefault(_THEMES.get(module, "Others"), []).append(name)
+        about = (theme for theme, of in THEMES.items() if METRICS.get(name) in of)
+        themes.setdefault(next(about, "Others"), []).append(name)
     columns: dict[str, Callable[[str], html.Cell]] = {
         "metric": str,
         "definition and [unit]": definition,
