@@ -15,8 +15,7 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
-from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import passing
+from testbed.reporting.words import interval, number, passing
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of

@@ -16,7 +16,7 @@ from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.terminal import erase, print_verdict_word, working
 from testbed.inputs.problems import BadInput, Problem, collect
-from testbed.reporting.numbers import number
+from testbed.reporting.words import number
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup

@@ -14,9 +14,8 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting import html, run_report
 from testbed.reporting.attempt import add_report
 from testbed.reporting.html import Html, tag
-from testbed.reporting.numbers import number
 from testbed.reporting.story import story
-from testbed.reporting.words import VERDICTS
+from testbed.reporting.words import VERDICTS, number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -18,7 +18,7 @@ from urllib.parse import quote
 from testbed.common.files import plain
 from testbed.common.text import printable
 from testbed.common.writing import write
-from testbed.reporting.numbers import number
+from testbed.reporting.words import number
 
 _ASSETS = Path(__file__).parent / "assets"
 _STYLES = ("palette.css", "report.css", "sweep.css", "uplot.css")

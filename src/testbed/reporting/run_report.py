@@ -20,11 +20,10 @@ from testbed.metrics import THEMES
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.html import Html, Part, tag
-from testbed.reporting.numbers import rounded
 from testbed.reporting.page import can_be_replayed, drawn, groups, packed
 from testbed.reporting.panels import TRACKED, shown_log
 from testbed.reporting.story import diagnoses, story
-from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of
+from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of, rounded
 from testbed.scenario.load import dump
 
 _NAMED = 3  # requirements that the verdict names; the others are in the table below

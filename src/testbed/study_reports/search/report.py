@@ -21,9 +21,8 @@ from testbed.reporting import html
 from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.figure import picture
 from testbed.reporting.html import Html, Part, tag
-from testbed.reporting.numbers import number
 from testbed.reporting.palette import nth
-from testbed.reporting.words import setting
+from testbed.reporting.words import number, setting
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 from testbed.study_reports.search.words import answer, rounded
 

@@ -11,19 +11,17 @@ from testbed.common import statistics
 from testbed.common.statistics import Paired
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting import html
-from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import count
+from testbed.reporting.words import count, interval, number
 from testbed.studies.folder import table
 from testbed.studies.folder.logs import in_file_names
 from testbed.studies.plan import Plan
 from testbed.studies.summary import metric_names
+from testbed.study_reports.sweep.answer import SIGNIFICANT
 from testbed.study_reports.sweep.flight_page import only
 
 if TYPE_CHECKING:
     import pandas as pd
 
-SIGNIFICANT = 0.05
-"""Above this p-value, a difference is called one that chance may explain."""
 _SHOWN = 20
 """Changed flights that are printed of each variant; the page has all of them."""
 _PASSED = {True: "passed", False: "not passed", None: "not judged"}

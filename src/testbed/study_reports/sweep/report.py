@@ -13,8 +13,7 @@ from typing import Any
 from testbed.inputs.received import read_json
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
-from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import DIGITS, passing, setting, title
+from testbed.reporting.words import DIGITS, interval, number, passing, setting, title
 from testbed.studies.folder import table
 from testbed.studies.folder.logs import flight_label
 from testbed.study_reports.sweep.answer import answer, ranked
