@@ -33,7 +33,7 @@ CLASSES = {
     "pages": ("reporting/test_text_from_outside.py", "reporting/test_html.py", "common/test_text.py", "cli/test_terminal.py",
               "inputs/test_base.py", "study_reports/test_benchmark.py"),
     "caches": ("common/test_private.py", "common/test_jit_cache.py"),
-    "bytes": ("studies/test_mixed.py", "studies/folder/test_begin.py", "studies/test_merge.py", "common/test_arithmetic.py"),
+    "bytes": ("studies/test_mixed.py", "studies/folder/test_begin.py", "api/test_merge.py", "common/test_arithmetic.py"),
     "faults": (
         "studies/flying", "flight/test_full_disk.py", "studies/folder/test_full_disk.py", "cli/test_interrupts.py",
         "cli/test_start_checks.py",

@@ -11,8 +11,7 @@ import pytest
 import testbed
 from testbed.api.load import STUDIES, kind_of
 from testbed.api.study import Kind
-from testbed.studies.matrix.model import Matrix
-from testbed.studies.model import Search, Study, Sweep
+from testbed.studies.model import Matrix, Search, Study, Sweep
 
 FUNCTIONS = {name for name, _ in inspect.getmembers(Kind, inspect.isfunction) if not name.startswith("_")}
 

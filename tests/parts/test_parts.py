@@ -19,7 +19,7 @@ from testbed.failures import TABLE as FAILURES
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
-from testbed.reporting.page.panels import groups
+from testbed.reporting.page import groups
 from testbed.reporting.panels import shown_log
 from testbed.scenario.load import load_scenario
 from testbed.studies.flying.flight import Job, fly_task

@@ -13,11 +13,9 @@ from handmade import at, flight_of, injection, level_log, lost
 
 from testbed.flight.requirements import judge
 from testbed.reporting.noticing import noticed_s
-from testbed.reporting.page.columns import MOST_ROWS, packed
-from testbed.reporting.page.drawn import phases
-from testbed.reporting.page.panels import groups
-from testbed.reporting.page.sections import unmet
+from testbed.reporting.page import MOST_ROWS, groups, packed, phases
 from testbed.reporting.panels import error_columns
+from testbed.reporting.run_report import unmet
 from testbed.scenario.requirement import Requirement
 
 

@@ -1,5 +1,5 @@
 // Which flights are looked at: those inside the brush, of some state and variant, with some words; and the one that is picked.
-const [LOG, PAGE] = [1, 2]; // what is kept of a flight, as `study_reports.sweep.flights` says it
+const [LOG, PAGE] = [1, 2]; // what is kept of a flight, as `study_reports.sweep.curves` says it
 
 export class Chosen {
   constructor(sweep) {

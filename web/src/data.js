@@ -1,4 +1,4 @@
-// The flight's columns, decoded from the page. `reporting.page.columns` writes them: 16-bit numbers over each column's range,
+// The flight's columns, decoded from the page. `reporting.page` writes them: 16-bit numbers over each column's range,
 // as differences from one to the next, all low bytes before all high bytes, deflated.
 import { unzlibSync } from "fflate";
 

@@ -42,10 +42,10 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
         refuse_links(Path(folder))
         return benchmark.table(folder)
     if kind == "sweep":
-        from testbed.studies.folder import reading
+        from testbed.studies.folder import table
         from testbed.study_reports.sweep.table import table_of
 
-        return table_of(reading.load(folder))
+        return table_of(table.load(folder))
     return load_flight(folder)
 
 
@@ -89,7 +89,7 @@ def kind_of(path: str | Path) -> str:
 
 def refuse_unfinished(folder: str | Path) -> None:
     """Raise BadInput when a search or a matrix has not finished."""
-    from testbed.studies.folder.reading import is_finished
+    from testbed.studies.folder.table import is_finished
 
     if not is_finished(Path(folder)):
         kind = kind_of(folder)

@@ -20,12 +20,11 @@ from testbed.studies.drawing.builder import TYPE
 from testbed.studies.flying.flight import Fly
 from testbed.studies.folder import logs
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.folder.names import log_file
-from testbed.studies.folder.reading import TABLE as FLIGHTS
-from testbed.studies.folder.reading import finished
+from testbed.studies.folder.logs import log_file
+from testbed.studies.folder.table import TABLE as FLIGHTS
+from testbed.studies.folder.table import finished
 from testbed.studies.matrix.load import load_matrix, read_baseline
-from testbed.studies.matrix.plan import MatrixPlan
-from testbed.studies.matrix.summary import summarize
+from testbed.studies.matrix.plan import MatrixPlan, summarize
 from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_sweep
 from testbed.study_reports.matrix import write_matrix_page
@@ -138,10 +137,9 @@ def finish(
 def _write_pages(plan: MatrixPlan, found: Mapping[str, Any], folder: Path) -> None:
     for one in found["cells"]:
         if one["run"] is not None:
-            log = log_file(folder, one["run"], plan.variant_of(one["controller"]))
-            flight = logs.read(log) if log.is_file() else None
-            if flight is not None and flight.actuators:
-                write_kept_page(flight, log)
+            label = plan.variant_of(one["controller"])
+            if (flight := logs.kept(folder, one["run"], label)) is not None:
+                write_kept_page(flight, log_file(folder, one["run"], label))
 
 
 def rebuild(folder: Path) -> dict[str, Any]:

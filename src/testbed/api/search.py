@@ -23,11 +23,10 @@ from testbed.reporting.attempt import add_report, attempt
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.folder.names import in_file_names
+from testbed.studies.folder.logs import in_file_names
 from testbed.studies.model import GOALS, Goal
 from testbed.studies.run import Flights, Options
-from testbed.studies.search.load import load_search
-from testbed.studies.search.plan import SearchPlan
+from testbed.studies.search.plan import SearchPlan, load_search
 from testbed.studies.search.run import Found, run_search
 from testbed.studies.search.summary import nearest, summarize
 from testbed.study_reports.search.report import write_search_page

@@ -15,14 +15,13 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
-from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import passing
+from testbed.reporting.words import interval, number, passing
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
-from testbed.studies.folder import logs, reading, store, table
+from testbed.studies.folder import logs, store, table
 from testbed.studies.folder.begin import begun_with, refuse_blocked, refuse_changed
-from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file, runs_of
+from testbed.studies.folder.logs import file_of, flight_label, in_file_names, log_file, runs_of
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
@@ -85,7 +84,7 @@ def sweep(
     finish(plan, folder, flights, figures=figures)
     from testbed.study_reports.sweep.table import table_of  # with pandas
 
-    return table_of(reading.load(folder))
+    return table_of(table.load(folder))
 
 
 def prepare(
@@ -114,14 +113,14 @@ def prepare(
     return plan, folder
 
 
-fly, plan_of, tests = fly_sweep, reading.load_plan, tests_of_sweep
+fly, plan_of, tests = fly_sweep, table.load_plan, tests_of_sweep
 
 
 def finish(
     plan: Plan, folder: Path, flights: Flights | None = None, *, figures: bool = True
 ) -> dict[str, Any]:
     """As `Kind.finish`, from the folder's table."""
-    frame = reading.load(folder)
+    frame = table.load(folder)
     found = summary.summarize(plan, frame) | _controllers(folder)
     write_summary(found, folder)
     if figures and len(frame):
@@ -146,10 +145,8 @@ def _write_worst_pages(found: dict[str, Any], folder: Path) -> None:
     """Write the pages of the worst flights of each variant, those whose logs were kept."""
     for variant in found["variants"]:
         for worst in variant["worst"][:WORST_PAGES]:
-            log = log_file(folder, worst["run"], variant["label"])
-            flight = logs.read(log) if log.is_file() else None
-            if flight is not None and flight.actuators:  # one made by a function of the user's may have none
-                write_kept_page(flight, log)
+            if (flight := logs.kept(folder, worst["run"], variant["label"])) is not None:
+                write_kept_page(flight, log_file(folder, worst["run"], variant["label"]))
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:
@@ -186,15 +183,15 @@ def rebuild(folder: Path) -> dict[str, Any]:
 
     For an unfinished sweep they cover the flights that have finished. Raises BadInput when there are none.
     """
-    plan = reading.load_plan(folder)
+    plan = table.load_plan(folder)
     refuse_blocked(folder)
     # After `stop_when` more runs may be stored than the table has, because others were still flying. The table stays. So does
     # that of a folder which an earlier version has flown.
-    if not reading.is_finished(folder) or (store.exists(folder) and plan.stop_when is None):
+    if not table.is_finished(folder) or (store.exists(folder) and plan.stop_when is None):
         with store.reading(folder) as stored:
             if not len(stored):
                 raise BadInput([Problem("no flight has finished in this sweep folder", str(folder))])
-            table.write(plan, lambda: reading.records(plan, stored), folder)
+            table.write(plan, lambda: table.records(plan, stored), folder)
     return finish(plan, folder)
 
 

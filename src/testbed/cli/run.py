@@ -16,7 +16,7 @@ from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.terminal import erase, print_verdict_word, working
 from testbed.inputs.problems import BadInput, Problem, collect
-from testbed.reporting.numbers import number
+from testbed.reporting.words import number
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -154,7 +154,7 @@ _NAMED = 3
 
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
-    from testbed.reporting.page.sections import told
+    from testbed.reporting.run_report import told
     from testbed.reporting.story import diagnoses, story
     from testbed.reporting.words import DIGITS
 

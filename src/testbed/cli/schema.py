@@ -25,7 +25,7 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 TABLE = {
     "aircraft": "testbed.aircraft.description:Aircraft",
-    "matrix": "testbed.studies.matrix.model:Matrix",
+    "matrix": "testbed.studies.model:Matrix",
     "scenario": "testbed.scenario.model:Scenario",
     "search": "testbed.studies.model:Search",
     "suite": "testbed.studies.benchmark.model:Suite",

@@ -7,7 +7,7 @@ from typing import Any
 
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
-from testbed.reporting.page.panels import group_of
+from testbed.reporting.page import group_of
 from testbed.reporting.panels import TRACKED, error_panel
 
 _SPEEDS = (0.25, 0.5, 1, 2, 4, 8, 16)

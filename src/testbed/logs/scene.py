@@ -18,8 +18,7 @@ from testbed.flight.flight import Flight
 from testbed.logs.hypotheses import STATES
 from testbed.logs.words import Diagnosis, sentence
 from testbed.reporting.html import Html
-from testbed.reporting.page.columns import packed
-from testbed.reporting.page.drawn import can_be_replayed
+from testbed.reporting.page import can_be_replayed, packed
 from testbed.reporting.panels import response_of, shown_log
 from testbed.reporting.run_report import to_fill
 

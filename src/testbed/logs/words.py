@@ -12,8 +12,7 @@ import numpy as np
 from testbed.common.files import plain
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.hypotheses import STATES
-from testbed.reporting.numbers import number
-from testbed.reporting.words import title
+from testbed.reporting.words import number, title
 
 WINDOW_S = 10.0
 """Length of the windows in which it is said what can be known."""

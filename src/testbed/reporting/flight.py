@@ -11,13 +11,11 @@ from typing import TYPE_CHECKING, Any
 from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.reporting import html
+from testbed.reporting import html, run_report
 from testbed.reporting.attempt import add_report
 from testbed.reporting.html import Html, tag
-from testbed.reporting.numbers import number
-from testbed.reporting.page import sections
 from testbed.reporting.story import story
-from testbed.reporting.words import VERDICTS
+from testbed.reporting.words import VERDICTS, number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -58,11 +56,10 @@ class ReportedFlight(Flight):
     def report(self, file: str | Path) -> Path:
         """Write the flight's page, one HTML file that needs no other, replacing the file; returns it. Raises OSError."""
         from testbed.reporting.figures import draw
-        from testbed.reporting.run_report import write_page
 
         with tempfile.TemporaryDirectory() as scratch:
             draw(self, scratch)
-            return write_page(self, Path(file), Path(scratch) / "figures", _AGAIN)
+            return run_report.write_page(self, Path(file), Path(scratch) / "figures", _AGAIN)
 
     def save(self, folder: str | Path, *, figures: bool = True) -> Path:
         """Write a run folder as `testbed run` does; returns it. `testbed.load` reads it.
@@ -88,7 +85,7 @@ class ReportedFlight(Flight):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the verdict, the story, the requirements (those not met first), and KEY_NUMBERS."""
-        who = [tag("strong", self.scenario.name), f", {self.controller}: ", sections.verdict(self)]
+        who = [tag("strong", self.scenario.name), f", {self.controller}: ", run_report.verdict(self)]
         warnings = (f"Warning: {warning}" for warning in self.warnings)
         told = story(self) if all(name in self.columns for name in _TOLD) else []
         lines = [tag("p", line) for line in (who, *warnings, *told)]
@@ -102,7 +99,7 @@ def _requirements(flight: Flight) -> Iterator[Html]:
         "worst value": lambda r: number(r.get("value")),
         "remark": lambda r: r.get("reason", ""),
     }
-    if order := sections.in_order(flight):
+    if order := run_report.in_order(flight):
         yield html.listing(order[:_MOST_ROWS], columns)
     if len(order) > _MOST_ROWS:
         yield tag("p", f"and {len(order) - _MOST_ROWS} more")

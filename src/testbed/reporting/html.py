@@ -18,7 +18,7 @@ from urllib.parse import quote
 from testbed.common.files import plain
 from testbed.common.text import printable
 from testbed.common.writing import write
-from testbed.reporting.numbers import number
+from testbed.reporting.words import number
 
 _ASSETS = Path(__file__).parent / "assets"
 _STYLES = ("palette.css", "report.css", "sweep.css", "uplot.css")
@@ -220,7 +220,7 @@ def picture(data: bytes, caption: str) -> Html:
 
 
 def panels(group: Mapping[str, Any]) -> Html:
-    """The place of a group of panels (see `page.panels`), which the page's script fills."""
+    """The place of a group of panels (see `page.group_of`), which the page's script fills."""
     inside = tag("div", class_="panels", id=f"panels-{group['name']}")
     return folded(group["title"], inside) if group["folded"] else joined([tag("h2", group["title"]), inside])
 

@@ -13,8 +13,8 @@ from testbed.common.writing import write as write_file
 from testbed.flight.flight import Flight
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reporting.numbers import number
 from testbed.reporting.story import story
+from testbed.reporting.words import number
 
 _ROOT = '<testsuites name="testbed"'
 

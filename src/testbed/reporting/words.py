@@ -1,4 +1,4 @@
-"""Words that all that is shown of a flight shares: its actuators' names, what broke, and each event."""
+"""Words and numbers that all that is shown of flights shares: actuators' names, what broke, each event; and what is not known."""
 
 from __future__ import annotations
 
@@ -124,3 +124,28 @@ def describe(event: Mapping[str, Any], flight: Flight) -> str:
         case "sensor_fault":
             return f"sensor {title(event['sensor'])}: {event['type']} ends"
     return f"{kind} {who}".strip()
+
+
+def number(value: Any, form: str = ".4g", absent: str = "-") -> str:
+    """A number as text; `absent` for None, NaN and infinity. A text is returned as it is."""
+    if isinstance(value, str):
+        return value
+    if value is None or not math.isfinite(value):
+        return absent
+    return str(value) if isinstance(value, int) else format(value, form)
+
+
+def rounded(value: float | None) -> str:
+    """A number with three digits, and 0 for what is only rounding."""
+    return "0" if value is not None and abs(value) < 1e-6 else number(value, ".3g")
+
+
+def interval(known: Mapping[str, Any], of: str = "estimate", form: str = ".3f") -> str:
+    """`0.970 (0.957 to 0.979)`: the estimate `known[of]` with its interval, `low` to `high`; each may be None.
+
+    `not judged` where none of the flights was.
+    """
+    if known.get("not_judged") and not known["n"]:
+        return "not judged"
+    low, high = number(known["low"], form), number(known["high"], form)
+    return f"{number(known[of], form)} ({low} to {high})"

@@ -21,7 +21,7 @@ from testbed.studies.flying.cluster import refuse_dead
 from testbed.studies.flying.flight import SAVE_LOGS, Fly, Job, fly_reference
 from testbed.studies.flying.pool import MOST_JOBS, FlyAll, Workers, workers
 from testbed.studies.folder.begin import begin, remove_results
-from testbed.studies.folder.names import log_file
+from testbed.studies.folder.logs import log_file
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record

@@ -12,7 +12,7 @@ import numpy as np
 from testbed.common import statistics
 from testbed.common.files import plain
 from testbed.scenario.requirement import Requirement
-from testbed.studies.folder.reading import groups_of
+from testbed.studies.folder.table import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
 from testbed.studies.sensitivity import sensitivity

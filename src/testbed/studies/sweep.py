@@ -12,8 +12,8 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import default_jobs, workers
 from testbed.studies.folder import table
-from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
+from testbed.studies.folder.table import records
 from testbed.studies.model import StopWhen
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of
@@ -24,7 +24,7 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     """Fly the flights of a plan that its folder does not have yet, and write its table; returns what was flown.
 
     With `options.shard` it flies every n-th run and writes no table: the folder is that of an unfinished sweep, which
-    `studies.merge` joins with the others. Raises BadInput and Stopped as `run.fly_into`.
+    `testbed.merge` joins with the others. Raises BadInput and Stopped as `run.fly_into`.
     """
     if options.shard is None:
         return fly_into(plan, folder, options, fly_missing, resume=resume)

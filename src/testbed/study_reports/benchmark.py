@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from testbed.reporting.numbers import interval, number
+from testbed.reporting.words import interval, number
 
 _FEW = 20
 """Draws below which nothing is said of a group: it would say little."""

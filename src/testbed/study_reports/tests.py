@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from testbed.reporting.junit import Test
 from testbed.reporting.story import story
-from testbed.studies.folder import logs, reading
-from testbed.studies.folder.names import in_file_names, log_file
+from testbed.studies.folder import logs, table
+from testbed.studies.folder.logs import in_file_names
 from testbed.studies.matrix.plan import MatrixPlan
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import said_of
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def tests_of_sweep(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
     """A test of each flight, in the order of runs and variants."""
-    for k, row in enumerate(reading.load(folder).to_dict("records")):
+    for k, row in enumerate(table.load(folder).to_dict("records")):
         label = plan.variants[k % len(plan.variants)].label
         name = f"run {row['run']}" + (f", {label}" if label else "")
         if row["passed"] is None:
@@ -68,7 +68,5 @@ def _drawn(row: Mapping[Any, Any]) -> str:
 def _text(plan: Plan, run: int, label: str, folder: Path) -> str:
     """The story of a flight, if its log was kept, and the command that flies it again."""
     again = only(run, in_file_names(label), str(folder / f"{plan.study.word}.yaml"))
-    log = log_file(folder, run, label)
-    flight = logs.read(log) if log.is_file() else None
-    told = story(flight) if flight is not None and flight.actuators else []
-    return "\n".join([*told, again])
+    flight = logs.kept(folder, run, label)
+    return "\n".join([*(story(flight) if flight is not None else []), again])

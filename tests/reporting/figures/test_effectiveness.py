@@ -13,7 +13,7 @@ from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.panels import columns_of
 from testbed.reporting.comparison.panels import groups as of_comparison
 from testbed.reporting.figures import plot
-from testbed.reporting.page.panels import groups
+from testbed.reporting.page import groups
 from testbed.reporting.panels import shown_log
 
 

@@ -20,7 +20,7 @@ import testbed
 from testbed.common.units import unit
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store, table
-from testbed.studies.folder.reading import groups_of, load
+from testbed.studies.folder.table import groups_of, load
 from testbed.studies.load import load_sweep
 from testbed.studies.sweep import fly_sweep
 

@@ -24,8 +24,7 @@ from testbed.cli.commands import main
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import begin
-from testbed.studies.folder.reading import records
-from testbed.studies.folder.table import write
+from testbed.studies.folder.table import records, write
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import CHECKED, Record, key_of

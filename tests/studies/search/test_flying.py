@@ -14,7 +14,7 @@ from search_files import REAL, written
 import testbed
 from testbed.studies.flying.pool import workers
 from testbed.studies.run import Options
-from testbed.studies.search.load import load_search
+from testbed.studies.search.plan import load_search
 
 
 @pytest.fixture

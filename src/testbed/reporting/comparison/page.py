@@ -10,12 +10,10 @@ from typing import TYPE_CHECKING, Any
 from testbed.reporting import html
 from testbed.reporting.comparison.panels import columns_of, groups
 from testbed.reporting.html import Html, Part, tag
-from testbed.reporting.numbers import rounded
-from testbed.reporting.page.columns import packed
-from testbed.reporting.page.drawn import can_be_replayed, drawn
-from testbed.reporting.page.sections import definition
+from testbed.reporting.page import can_be_replayed, drawn, packed
+from testbed.reporting.run_report import definition
 from testbed.reporting.story import story
-from testbed.reporting.words import VERDICTS, setting
+from testbed.reporting.words import VERDICTS, rounded, setting
 
 if TYPE_CHECKING:
     from testbed.reporting.comparison.compare import Comparison

@@ -12,7 +12,7 @@ from testbed.common.angles import unwrapped_deg, wrap_deg
 from testbed.common.units import unit
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.reporting.page.panels import group_of
+from testbed.reporting.page import group_of
 from testbed.reporting.panels import (
     TRACKED,
     Panel,

@@ -24,9 +24,9 @@ from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.load import as_given
 from testbed.studies.benchmark.plan import Benchmark
-from testbed.studies.folder import reading
 from testbed.studies.folder.histories import CHANNELS, RECORD_BYTES, SHAPE
 from testbed.studies.folder.store import NAME, Store
+from testbed.studies.folder.table import records
 from testbed.studies.record import NO_RESULT, Record, key_of
 
 BOUND = "best of all"
@@ -50,7 +50,7 @@ def table(plan: Benchmark, store: Store) -> pd.DataFrame:
     Raises BadInput where a flight was of another draw than the suite has now, as of another version of the program.
     """
     rows = []
-    for number, flights in itertools.groupby(reading.records(plan, store), attrgetter("run")):
+    for number, flights in itertools.groupby(records(plan, store), attrgetter("run")):
         flown = list(flights)
         if len(flown) == len(plan.variants):
             values = plan.task(number * len(flown)).values

@@ -28,7 +28,7 @@ from testbed.inputs.yaml_source import Source, describe
 from testbed.parts import digests
 from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
-from testbed.studies.folder.names import runs_in
+from testbed.studies.folder.logs import runs_in
 from testbed.studies.plan import Plan
 from testbed.studies.record import MIXED
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
 import shlex
 from pathlib import Path
@@ -20,8 +21,8 @@ from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import json_of, read_table
+from testbed.inputs.yaml_source import Source, describe
 from testbed.scenario.load import Scenario, dump, scenario_from
-from testbed.studies.folder.names import file_of, runs_of
 
 _KEPT = "a log that a sweep kept"
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
@@ -110,6 +111,14 @@ def read(file: Path) -> Flight:
         raise BadInput([problem]) from None
 
 
+def kept(folder: Path, run: int, variant: str) -> Flight | None:
+    """The flight of a run and a variant's label if its log was kept; None also for one made by the user's function, which has no
+    actuators."""
+    file = log_file(folder, run, variant)
+    flight = read(file) if file.is_file() else None
+    return flight if flight is not None and flight.actuators else None
+
+
 def run_and_label(name: str) -> tuple[int, str]:
     """The run and the label of the variant of a kept log, from its name; "" where nothing is compared."""
     if name.isdecimal():
@@ -126,3 +135,38 @@ def _placeless(scenario: Scenario) -> Scenario:
     return scenario.model_copy(
         update={"aircraft": aircraft.model_copy(update={"name": Path(aircraft.name).name})}
     )
+
+
+def file_of(folder: Path) -> Path:
+    """The file of the study in a folder that keeps logs: matrix.yaml of a matrix, else sweep.yaml."""
+    matrix = folder / "matrix.yaml"
+    return matrix if matrix.is_file() else folder / "sweep.yaml"
+
+
+def runs_of(folder: Path) -> int | None:
+    """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
+    file = folder / "sweep.yaml"
+    return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
+
+
+def runs_in(source: Source) -> int:
+    """The number of runs that a folder's sweep.yaml says; raises BadInput if it does not say one."""
+    runs = source.tree.get("runs")
+    if not isinstance(runs, int) or isinstance(runs, bool) or runs < 1:
+        raise BadInput([source.problem(("runs",), f"is {describe(runs)}", "the number of runs, at least 1")])
+    return runs
+
+
+def flight_label(run: int, variant: str) -> str:
+    """The flight of a run and the label of its variant in file names: `run-000012-adaptive_inversion`."""
+    return f"run-{run:06d}" + (f"-{in_file_names(variant)}" if variant else "")
+
+
+def log_file(folder: Path, run: int, variant: str) -> Path:
+    """Where the log of a flight is kept."""
+    return folder / "logs" / f"{flight_label(run, variant)}.parquet"
+
+
+def in_file_names(label: str) -> str:
+    """The label of a variant as file names have it."""
+    return "".join(c if c.isalnum() or c in "_-." else "-" for c in label)

@@ -24,9 +24,8 @@ from testbed.inputs.yaml_source import Source
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.drawing.sampling import hashed
 from testbed.studies.load import name_of, study_of
-from testbed.studies.matrix.model import Expected, Matrix
 from testbed.studies.matrix.plan import Cell, MatrixPlan, cells
-from testbed.studies.model import MOST_FLIGHTS
+from testbed.studies.model import MOST_FLIGHTS, Expected, Matrix
 
 _AT_S, _DURATION_S, _LOG_HZ = 10.0, 60.0, 50
 _HELD_S, _HELD_DEG = 0.55, 20.0

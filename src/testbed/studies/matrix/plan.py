@@ -1,10 +1,11 @@
-"""A resolved matrix: its cells, and why those that do not fit do not; what is expected of each, and the flights made of them."""
+"""A resolved matrix: its cells, what is expected of each and the flights made of it, and what came of it in the end."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
@@ -12,8 +13,16 @@ from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.common.text import with_article
 from testbed.failures import TABLE
 from testbed.inputs.problems import OWN_PART, BadInput, Problem, guess
-from testbed.studies.matrix.model import Expected, Matrix, Result
+from testbed.studies.model import RESULTS, Expected, Matrix, Result
 from testbed.studies.plan import Plan
+from testbed.studies.verdicts import said_of, state
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Summary = dict[str, Any]
+_OF_A_STATE = {"passed": "held", "missed": "survived", "lost": "lost", "no result": "no result",
+               "not judged": "survived"}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -137,3 +146,66 @@ def _misfit(kind: str, broken: Mapping[str, Any], aircraft: Aircraft, rate_hz: f
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+
+
+def summarize(plan: MatrixPlan, frame: pd.DataFrame) -> Summary:
+    """The summary of a matrix whose every flight is in the table, in the order of runs and variants."""
+    rows = frame.to_dict("records")
+    numbers = iter(range(len(plan.flown)))
+    found = [
+        one
+        for cell in plan.cells
+        for one in _of_each(plan, cell, None if cell.broken is None else next(numbers), rows)
+    ]
+    found.sort(key=lambda one: plan.labels.index(one["controller"]))
+    counted = Counter(one["result"] for one in found)
+    return {
+        "matrix": plan.name,
+        "aircraft": plan.aircraft_names[0],
+        "seeds": plan.study.seeds,
+        "flights": len(rows),
+        "counts": {result: counted[result] for result in RESULTS if counted[result]},
+        "better": sum(one["against"] == "better" for one in found),
+        "worse": sum(one["against"] == "worse" for one in found),
+        "cells": found,
+    }
+
+
+def _of_each(
+    plan: MatrixPlan, cell: Cell, number: int | None, rows: Sequence[Mapping[Any, Any]]
+) -> Iterator[Summary]:
+    """A cell as each of the controllers flew it; `number` is its place among those that are flown."""
+    for variant, label in enumerate(plan.labels):
+        about = {key: getattr(cell, key) for key in ("actuator", "failure", "severity", "weather")}
+        about |= {"controller": label}
+        outcome = _impossible(cell) if number is None else _flown(plan, number, variant, rows)
+        expected = plan.expected(cell, label)
+        better = RESULTS.index(outcome["result"]) - RESULTS.index(expected)
+        against = "as expected" if not better else "better" if better < 0 else "worse"
+        yield {**about, **outcome, "expected": expected, "against": against}
+
+
+def _impossible(cell: Cell) -> Summary:
+    return {"result": "not possible", "flights": 0, "held": 0, "lost": 0, "run": None, "why": cell.reason}
+
+
+def _flown(plan: MatrixPlan, number: int, variant: int, rows: Sequence[Mapping[Any, Any]]) -> Summary:
+    """What came of a cell's flights: the result of the worst, how many were held and lost, and why."""
+    runs = range(number * plan.study.seeds, (number + 1) * plan.study.seeds)
+    each = {run: rows[run * len(plan.variants) + variant] for run in runs}
+    results = {run: _OF_A_STATE[state(row["outcome"], row["passed"])] for run, row in each.items()}
+    worst = max(runs, key=lambda run: (RESULTS.index(results[run]), -_robustness(each[run])))
+    flown = list(results.values())
+    return {
+        "result": results[worst],
+        "flights": len(flown),
+        "held": flown.count("held"),
+        "lost": flown.count("lost"),
+        "run": worst,
+        "why": said_of(plan, each[worst]),
+    }
+
+
+def _robustness(row: Mapping[Any, Any]) -> float:
+    value = row["robustness"]
+    return value if value == value else 0.0  # NaN without a result

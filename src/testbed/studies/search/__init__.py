@@ -1,6 +1,6 @@
 """Searches: the smallest failure that breaks a requirement, and the probability of a rare one.
 
-`load` reads a search file into a `plan`. Every value that varies has a coordinate in `space`, a standard normal number, so that
+`plan` reads a search file into its parts. Every value that varies has a coordinate in `space`, a standard normal number, so that
 distance from the origin is a measure of likelihood. `reliability` has the mathematics, which knows nothing of flights. `run` gives
 it the robustness of a flight as a function of these coordinates, and `summary` says what was found.
 

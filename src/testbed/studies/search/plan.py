@@ -1,21 +1,38 @@
-"""A resolved search: its parts, each a search of its own, and the flight at each of their points. Nothing here flies."""
+"""A search as its file asks for it: its parts, each a search of its own, and the flight at each of their points."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import itertools
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from pydantic import ValidationError
 
-from testbed.studies.drawing.builder import Task
+from testbed.aircraft.changes import load_with_changes
+from testbed.aircraft.shipped import find_scenario
+from testbed.controllers.user.own import OwnController
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.kinds import refuse_other, study_in
+from testbed.inputs.problems import BadInput, guess
+from testbed.inputs.yaml_source import Source
+from testbed.scenario.requirement import Requirement
+from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.drawing.sampling import hashed
-from testbed.studies.model import Search
+from testbed.studies.load import name_of, study_of
+from testbed.studies.model import Goal, Search, Study, Sweep
 from testbed.studies.plan import Plan
-from testbed.studies.search.space import Space
+from testbed.studies.search.space import Coordinate, Origin, Space, origin_at
 
 Point = tuple[float, ...]
 """Coordinates of a flight in the space of its part."""
+MOST_PARTS = 100
+"""Most searches of one file: variants times options of its choices."""
+_DRAWS = 16
+"""Runs of the sweep over the same values, whose scenarios are checked before the search."""
 
 
 @dataclass(frozen=True)
@@ -90,3 +107,122 @@ def coordinates(key: bytes) -> Point:
 def key_of(part: Part, point: Point) -> bytes:
     """The key by which the flight of a part at a point is stored (see `folder.store`)."""
     return part.number.to_bytes(4, "big") + (np.array(point, dtype=">f8") + 0.0).tobytes()  # + 0.0: no -0.0
+
+
+def load_search(
+    path: str | Path,
+    settings: Iterable[str] = (),
+    own: Mapping[str, OwnController] | None = None,
+    goal: Goal | None = None,
+) -> SearchPlan:
+    """Read and resolve a search file, as `studies.load.load_sweep` does a sweep's; raises BadInput with every problem.
+
+    With `goal` it may be a sweep's file: of its keys, those are used that a search has too.
+    """
+    source = yamlfile.read(find_scenario(path))
+    if goal is None or not study_in(source.tree):
+        refuse_other(source, "search")
+    if goal is not None:
+        _become(source, goal)
+    search, builder = study_of(Search, source, settings, own)
+    _choose_requirement(search, source, builder.base)
+    parts = tuple(_parts(search, source, builder))
+    return SearchPlan(study=search, name=name_of(search, path), builder=builder, runs=_DRAWS, parts=parts)
+
+
+def _become(source: Source, goal: Goal) -> None:
+    """Set the goal; leave out of a sweep's file what a search does not have."""
+    if "goal" not in source.tree and study_in(source.tree):
+        for key in set(Sweep.model_fields) - set(Study.model_fields) - {"cases"}:
+            source.tree.pop(key, None)
+    source.tree["goal"] = goal
+
+
+def _choose_requirement(search: Search, source: Source, base: Source) -> None:
+    """Leave the searched requirement alone in the scenario; raise BadInput when there is none, or none of this name."""
+    given = base.tree.get("requirements")
+    if not given or not isinstance(given, list):
+        what = "the scenario has no requirement, so that nothing can be broken"
+        raise BadInput([source.problem(("scenario",), what, "requirements in the scenario, or in set")])
+    if search.requirement is None:
+        return
+    titles = [_title(each) for each in given]
+    if search.requirement not in titles:
+        what = f"there is no requirement {search.requirement!r}"
+        raise BadInput([source.problem(("requirement",), what, *guess(search.requirement, titles))])
+    base.tree["requirements"] = [given[titles.index(search.requirement)]]
+    base.problems[:] = [p for p in base.problems if not p.path.startswith("requirements.")]
+    for place in [place for place in base.places if place[:1] == ("requirements",)]:
+        del base.places[place]
+
+
+def _title(requirement: Any) -> str:
+    try:
+        return Requirement.model_validate(requirement).title
+    except ValidationError:  # refused with its place when the scenario is checked
+        return ""
+
+
+def _parts(search: Search, source: Source, builder: Builder) -> Iterator[Part]:
+    """A part for each variant and each combination of options, with the coordinates of everything else."""
+    choices = {path: d for path, d in search.vary.items() if d.name == "choice"}
+    rest = {path: d for path, d in search.vary.items() if d.name != "choice"}
+    if not rest:
+        expected = "a value with a distribution to search in"
+        raise BadInput([source.problem(("vary",), "has choices only", expected)])
+    combinations = list(itertools.product(*(_options(d) for d in choices.values())))
+    number = len(combinations) * len(builder.variants)
+    if number > MOST_PARTS:
+        what = f"asks for {number} searches, one for each variant and option"
+        raise BadInput([source.problem(("vary",), what, f"at most {MOST_PARTS}")])
+    for k, (variant, chosen_ones) in enumerate(itertools.product(range(len(builder.variants)), combinations)):
+        options = dict(zip(choices, (value for value, _ in chosen_ones), strict=True))
+        origins = _origins(search, source, builder, variant, options)
+        space = Space(tuple(Coordinate(path, d, origins[path]) for path, d in rest.items()))
+        yield Part(k, variant, options, math.prod(weight for _, weight in chosen_ones), space)
+
+
+def _options(distribution: Any) -> list[tuple[Any, float]]:
+    """(option, probability) of each option of a choice that can be drawn."""
+    weights = np.asarray(distribution.weights or [1.0] * len(distribution.parameters), dtype=float)
+    pairs = zip(distribution.parameters, (weights / weights.sum()).tolist(), strict=True)
+    return [(option, weight) for option, weight in pairs if weight > 0.0]
+
+
+def _origins(
+    search: Search, source: Source, builder: Builder, variant: int, options: Mapping[str, Any]
+) -> dict[str, Origin]:
+    """What the coordinate of each value is measured from."""
+    neutral = _neutral(search, builder, variant, options)
+    found: dict[str, Origin] = {}
+    for path, distribution in search.vary.items():
+        value = search.nominal.get(path, neutral.get(path))
+        origin = None if value is None else origin_at(distribution, float(value))
+        if origin is None and path in search.nominal:
+            low, high = distribution.ends
+            what = f"is {search.nominal[path]:g}, which is no end of its range"
+            raise BadInput([source.problem(("nominal", path), what, f"{low:g} or {high:g}")])
+        found[path] = origin or "median"
+    return found
+
+
+def _neutral(search: Search, builder: Builder, variant: int, options: Mapping[str, Any]) -> dict[str, float]:
+    """The value with which a failure has no effect, of each varied key of a failure that has one, by dotted path."""
+    varied = [path.split(".") for path in search.vary if path.startswith("failures.")]
+    keys = [(int(parts[1]), parts[2]) for parts in varied if len(parts) == 3 and parts[1].isdigit()]
+    if not keys:
+        return {}
+    middle = {path: d.at_normal(np.zeros(1))[0] for path, d in search.vary.items() if path not in options}
+    try:
+        scenario = builder.scenario(Task(0, variant, 2, {**options, **middle}))
+        actuators = load_with_changes(scenario.aircraft).actuators
+    except BadInput:  # which the check of the plan refuses, with its place
+        return {}
+    found = {}
+    for j, key in keys:
+        failure = scenario.failures[j]
+        actuator = actuators.get(str(getattr(failure, "actuator", "")))
+        value = (failure.neutral(actuator) or {}).get(key) if actuator is not None else None
+        if isinstance(value, int | float):
+            found[f"failures.{j}.{key}"] = float(value)
+    return found

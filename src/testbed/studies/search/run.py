@@ -112,7 +112,7 @@ def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool
     """Search every part, and write the table of flights; `found` is what was found, in the order of the parts.
 
     With `options.shard` it searches every n-th part and writes no table: the folder is that of an unfinished search, which
-    `studies.merge` joins with the others. Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight
+    `testbed.merge` joins with the others. Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight
     at the origin fails already.
     """
     k, n = options.part

@@ -1,1 +1,1 @@
-"""What is shown of a search. `words` has the sentences, `figures` the pictures, `report` the whole page."""
+"""What is shown of a search. `words` has the sentences, `report` the whole page."""

@@ -14,8 +14,7 @@ from testbed.common.statistics import proportion
 from testbed.common.units import unit
 from testbed.flight.flight import Flight
 from testbed.reporting.comparison.compare import settings_by_path
-from testbed.reporting.numbers import number
-from testbed.reporting.words import broke, joined
+from testbed.reporting.words import broke, joined, number
 
 Summary = Mapping[str, Any]
 

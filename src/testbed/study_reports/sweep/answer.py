@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from testbed.flight.flight import LOSSES, Outcome
-from testbed.reporting.numbers import number
-from testbed.reporting.words import count, setting
+from testbed.reporting.words import count, number, setting
 
-_SIGNIFICANT = 0.05  # above this, a difference is called one that chance may explain
+SIGNIFICANT = 0.05
+"""Above this p-value, a difference is called one that chance may explain."""
 
 
 def answer(summary: Mapping[str, Any]) -> list[str]:
@@ -66,7 +66,7 @@ def _against(summary: Mapping[str, Any], best: Mapping[str, Any], other: Mapping
     runs = count(better, "paired run") if better else "no paired run"
     text = f"Compared with {other['label']} ({share}): better in {runs}, worse in {worse or 'none'}"
     p = pair["p_value"]
-    chance = p is not None and p > _SIGNIFICANT and better + worse > 0
+    chance = p is not None and p > SIGNIFICANT and better + worse > 0
     return f"{text}; chance may explain this (p = {number(p, '.2g')})." if chance else f"{text}."
 
 

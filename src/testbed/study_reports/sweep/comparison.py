@@ -11,19 +11,17 @@ from testbed.common import statistics
 from testbed.common.statistics import Paired
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting import html
-from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import count
-from testbed.studies.folder import reading
-from testbed.studies.folder.names import in_file_names
+from testbed.reporting.words import count, interval, number
+from testbed.studies.folder import table
+from testbed.studies.folder.logs import in_file_names
 from testbed.studies.plan import Plan
 from testbed.studies.summary import metric_names
+from testbed.study_reports.sweep.answer import SIGNIFICANT
 from testbed.study_reports.sweep.flight_page import only
 
 if TYPE_CHECKING:
     import pandas as pd
 
-SIGNIFICANT = 0.05
-"""Above this p-value, a difference is called one that chance may explain."""
 _SHOWN = 20
 """Changed flights that are printed of each variant; the page has all of them."""
 _PASSED = {True: "passed", False: "not passed", None: "not judged"}
@@ -67,9 +65,9 @@ class Change:
 
 def compared(first: Path, second: Path) -> tuple[Change, ...]:
     """Each variant that both sweeps have. Raises BadInput when they have none, or when their draws are not the same."""
-    plans = [reading.load_plan(folder) for folder in (first, second)]
+    plans = [table.load_plan(folder) for folder in (first, second)]
     before, after = (
-        dict(reading.groups_of(plan, reading.load(folder)))
+        dict(table.groups_of(plan, table.load(folder)))
         for plan, folder in zip(plans, (first, second), strict=True)
     )
     if len(before) == len(after) == 1:

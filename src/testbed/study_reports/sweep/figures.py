@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from testbed.common.statistics import proportion
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
 from testbed.reporting.words import passing, setting
-from testbed.studies.folder.reading import groups_of
+from testbed.studies.folder.table import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
 from testbed.studies.summary import requirement_shares

@@ -9,7 +9,7 @@ from testbed.flight.flight import Flight
 from testbed.reporting import html, run_report
 from testbed.reporting.html import tag
 from testbed.studies.folder import logs
-from testbed.studies.folder.names import file_of
+from testbed.studies.folder.logs import file_of
 
 FOLDER = "flights"
 """Folder of these pages in a sweep folder."""

@@ -10,7 +10,7 @@ from pandas.plotting import PlotAccessor
 
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.html import Html, joined, tag
-from testbed.studies.folder.reading import load_plan
+from testbed.studies.folder.table import load_plan
 
 
 class SweepTable(pd.DataFrame):
@@ -47,7 +47,7 @@ class SweepPlot(PlotAccessor):
 
 
 def table_of(frame: pd.DataFrame) -> SweepTable:
-    """The table that `sweeps.folder.reading` has read, for users."""
+    """The table that `studies.folder.table` has read, for users."""
     table = SweepTable(frame)
     table.attrs |= frame.attrs
     return table

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from testbed.reporting.numbers import interval, number
+from testbed.reporting.words import interval, number
 
 
 @pytest.mark.parametrize(

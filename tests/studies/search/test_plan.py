@@ -12,7 +12,7 @@ from sweep_files import written as sweep_written
 from testbed.aircraft.shipped import files_in
 from testbed.inputs.problems import BadInput
 from testbed.studies.checks import check
-from testbed.studies.search.load import load_search
+from testbed.studies.search.plan import load_search
 
 
 def refused(file: Path, *settings: str) -> str:
