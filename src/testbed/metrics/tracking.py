@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from testbed.flight.breakage import recoveries
 from testbed.flight.columns import stays_from
-from testbed.flight.recovery import recoveries
 from testbed.metrics.flight_view import Readings
 
 _UNITS = {"altitude": "m", "heading": "deg", "airspeed": "m/s"}

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from testbed.common.docstrings import first_line
+from testbed.flight.breakage import UNITS, tracking_error
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import UNITS, tracking_error
 from testbed.flight.requirements import worst_s
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
