@@ -19,7 +19,7 @@ import model_tables
 import property_tables
 
 from testbed.aircraft.description import load_aircraft
-from testbed.cli.parser import parser
+from testbed.cli.commands import parser
 from testbed.flight.columns import all_columns
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario

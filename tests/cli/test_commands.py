@@ -14,7 +14,7 @@ from command_line import Called
 
 import testbed as package
 from testbed.aircraft.shipped import find_scenario
-from testbed.cli.parser import FIRST_STEPS, TABLE, parser
+from testbed.cli.commands import FIRST_STEPS, TABLE, parser
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_the_examples_are_shown(called: Called) -> None:
 
 def test_help_imports_nothing_heavy() -> None:
     program = (
-        "import sys; from testbed.cli.parser import parser; parser().format_help()\n"
+        "import sys; from testbed.cli.commands import parser; parser().format_help()\n"
         "assert not {'numpy', 'pydantic', 'yaml', 'importlib.metadata'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", program], check=True)

@@ -14,7 +14,7 @@ from testbed import design, fly
 from testbed.controllers.config import PerKind
 from testbed.gains.candidates import Candidates
 from testbed.gains.choice import Chosen, Tolerance, choose
-from testbed.gains.loss_flights import level_flight
+from testbed.gains.flights import level_flight
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario, changed, load_scenario
 

@@ -11,7 +11,7 @@ import pytest
 
 from testbed.inputs.problems import BadInput
 from testbed.live import flight as flights
-from testbed.live import frames, long
+from testbed.live import frames
 from testbed.live.flight import LiveFlight
 from testbed.live.messages import Blow, Break, Mend, Order
 from testbed.scenario.load import changed, load_scenario
@@ -159,13 +159,13 @@ def test_it_ends_where_memory_would(live: LiveFlight, monkeypatch: pytest.Monkey
 
 @pytest.mark.skipif(sys.platform != "linux", reason="rows stay in memory there")
 def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(long, "_KEPT_S", 1.0)
+    monkeypatch.setattr(flights, "_KEPT_S", 1.0)
     live.fly(1)
     noisy = changed(live.session.scenario, {"duration_s": 2.0, **NOISY})
     found = []
-    for folder in (long._FOLDER, "/nowhere"):
+    for folder in (flights._FOLDER, "/nowhere"):
         old = set(files().values())  # of rows that were freed: their memory is used again
-        monkeypatch.setattr(long, "_FOLDER", folder)
+        monkeypatch.setattr(flights, "_FOLDER", folder)
         flight = LiveFlight(noisy)
         for steps, act in ((700, STUCK), (900, TURN), (700, MENDED), (1700, GUST), (500, TURN)):
             flight.fly(steps)

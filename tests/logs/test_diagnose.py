@@ -20,7 +20,7 @@ from testbed.aircraft.description import load_aircraft
 from testbed.logs.chain import alone
 from testbed.logs.entry import _setup, read_run
 from testbed.logs.output_error import residuals
-from testbed.logs.scene import believed, of_flight, phases
+from testbed.logs.page import believed, of_flight, phases
 
 from .conftest import AT_S, Run
 

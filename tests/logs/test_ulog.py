@@ -19,7 +19,7 @@ from testbed.flight.folder import load
 from testbed.logs.diagnosis import diagnosed
 from testbed.logs.entry import _setup
 from testbed.logs.mapped import read_table
-from testbed.logs.scene import of_log
+from testbed.logs.page import of_log
 from testbed.plant.identification import stored
 from testbed.reporting.export import export
 

@@ -10,9 +10,16 @@ from short_flights import scenario
 
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput
-from testbed.margins.bounds import bias_bound, error_bound, uniform_limit
+from testbed.margins.bounds import (
+    Flown,
+    bias_bound,
+    biases,
+    error_bound,
+    error_limits,
+    sector_limit,
+    uniform_limit,
+)
 from testbed.margins.certificate import Certificate, certify
-from testbed.margins.flown_bias import Flown, biases, error_limits, sector_limit
 from testbed.margins.matrix_classes import jacobi_radius
 from testbed.plant.identification import stored
 

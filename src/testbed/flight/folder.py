@@ -16,9 +16,8 @@ import numpy as np
 
 from testbed.common.text import cell, text_of
 from testbed.common.writing import replacing, write
-from testbed.flight.damage import refuse_damaged
+from testbed.flight.damage import Summary, refuse_damaged
 from testbed.flight.flight import Flight
-from testbed.flight.summary import Summary
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import read_json, refuse_links
 from testbed.inputs.validation import validated

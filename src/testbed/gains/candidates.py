@@ -12,10 +12,9 @@ import numpy as np
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup
 from testbed.flight.flight import Flight
-from testbed.gains.error_flights import answer, bias, calm, gusts, or_infinite
 from testbed.gains.errors import ErrorSource, sources
 from testbed.gains.false_alarms import false_alarm_rate
-from testbed.gains.loss_flights import convergence_s
+from testbed.gains.flights import answer, bias, calm, convergence_s, gusts, or_infinite
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario
 from testbed.simulation import fly, start_and_setup

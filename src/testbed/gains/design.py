@@ -25,7 +25,7 @@ import numpy as np
 
 from testbed.gains.candidates import Candidates
 from testbed.gains.choice import Chosen, Tolerance, choose
-from testbed.gains.loss_flights import convergence_s, detection_s
+from testbed.gains.flights import convergence_s, detection_s
 from testbed.gains.verdict import ActuatorDesign, advice, shortcomings
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario, changed, load_scenario

@@ -14,8 +14,7 @@ from testbed.flight.columns import stretches
 from testbed.logs.chain import alone, costs, likeliest, probabilities, smoothed
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.hypotheses import NOMINAL, STATES, Hypothesis, hypotheses
-from testbed.logs.noise import Noise, noise_of, quiet, settled
-from testbed.logs.regression import BIN_S, Regression, regression
+from testbed.logs.regression import BIN_S, Noise, Regression, noise_of, quiet, regression, settled
 from testbed.logs.words import WINDOW_S, Diagnosis, Finding
 
 BLOCK = 2

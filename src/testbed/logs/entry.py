@@ -24,8 +24,7 @@ from testbed.logs.flight_log import FlightLog, bad, even
 from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
-from testbed.logs.page import write_page
-from testbed.logs.scene import of_flight, of_log
+from testbed.logs.page import of_flight, of_log, write_page
 from testbed.logs.words import Diagnosis, summary, table
 from testbed.plant.identification import stored
 from testbed.reporting.panels import response_of, shown_log

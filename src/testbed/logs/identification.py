@@ -26,8 +26,7 @@ from testbed.logs import output_error
 from testbed.logs.coefficients import Row, Rows, rows_of, smoothed_vanes
 from testbed.logs.flight_log import FlightLog, bad
 from testbed.logs.functions import Maker
-from testbed.logs.noise import noise_of, settled
-from testbed.logs.regression import BIN_S
+from testbed.logs.regression import BIN_S, noise_of, settled
 
 KEPT_BACK = 0.3
 """Share of each log, at its end, that is not used but to validate."""

@@ -15,8 +15,16 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput
-from testbed.margins.bounds import entry_limits, error_bound, mismatch, remaining_limit
-from testbed.margins.flown_bias import ActuatorBias, biases, flown, sector_limit
+from testbed.margins.bounds import (
+    ActuatorBias,
+    biases,
+    entry_limits,
+    error_bound,
+    flown,
+    mismatch,
+    remaining_limit,
+    sector_limit,
+)
 from testbed.margins.matrix_classes import diagonal_stability, jacobi_radius, normalised, spectral_radius
 from testbed.plant.identification import input_matrix
 from testbed.plant.jsbsim import Plant

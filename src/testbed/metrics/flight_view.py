@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from testbed.flight.breakage import failure_times_s
+from testbed.flight.breakage import failure_times_s, tracking_error
 from testbed.flight.columns import row_at, row_spacing_s
 from testbed.flight.flight import Flight, Outcome
-from testbed.flight.recovery import tracking_error
 from testbed.scenario.load import Scenario
 
 

@@ -7,15 +7,15 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from testbed.flight.breakage import recoveries
 from testbed.flight.columns import stays_from
 from testbed.flight.events import at_stops
-from testbed.flight.recovery import recoveries
 from testbed.metrics.flight_view import Readings
 
 _UNITS = {"altitude": "m", "heading": "deg", "airspeed": "m/s"}
 SETTLED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
 """A quantity has settled when it stays this close to its reference [m, deg, m/s]. Whether the aircraft has recovered is
-decided in `flight.recovery`, with limits that also suit turbulence."""
+decided in `flight.breakage`, with limits that also suit turbulence."""
 
 
 def survived(readings: Readings) -> float:
@@ -42,7 +42,7 @@ def beta_excursion_failed_deg(readings: Readings) -> float:
 def recovery_s(readings: Readings) -> float:
     """Time from the start of the last failure until altitude and heading stay within 5 m and 15 deg of their references [s].
 
-    As `flight.recovery` has it: they have to stay there for at least 5 s, and to the end of the flight. NaN if they never do.
+    As `flight.breakage` has it: they have to stay there for at least 5 s, and to the end of the flight. NaN if they never do.
     """
     times = readings.failure_times_s()
     each = recoveries(readings.log, times, readings.survived)

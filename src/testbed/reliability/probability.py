@@ -17,9 +17,8 @@ from testbed.inputs.problems import guess
 from testbed.reliability.adaptive import adaptive
 from testbed.reliability.importance import importance
 from testbed.reliability.limit_state import Asked, LimitState, check, refused
-from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
-from testbed.reliability.subset import subset
+from testbed.reliability.subset import plain, subset
 
 Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
 

@@ -1,4 +1,7 @@
-"""Subset simulation, repeated until the failure probability is known well enough: `subset`."""
+"""Subset simulation, repeated until the failure probability is known well enough: `subset`; and independent draws, `plain`.
+
+These check the other methods, and take the place of subset simulation where the limit state is flat.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,7 @@ from scipy import stats
 
 from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.reliability.limit_state import Asked
-from testbed.reliability.plain import plain
-from testbed.reliability.results import FailureProbability
+from testbed.reliability.results import FailureProbability, Level
 from testbed.reliability.subset_run import LENGTH, Run, run_levels
 
 LEAST = 100
@@ -166,3 +168,39 @@ def _flat(asked: Asked, random: np.random.Generator, cov: float, run: Run) -> Fa
     known = plain(asked, random, cov, failures=len(run.failures), n=run.size)
     words = f"The limit state is flat, so the points were drawn plainly: {known.reason}"
     return replace(known, method="subset", reason=words)
+
+
+BATCH = 1000
+
+
+def plain(
+    asked: Asked, random: np.random.Generator, cov: float, failures: int = 0, n: int = 0
+) -> FailureProbability:
+    """Draw batches, after `failures` in `n` draws, until the coefficient of variation is at most `cov` or the budget is spent.
+
+    It is sqrt((1 - p) / (p n)). The interval is that of Clopper and Pearson (1934). Points without a number widen it: its
+    upper end counts them as failures.
+    """
+    while asked.left > 0 and _plain_cov(failures, n) > cov:
+        values = asked(random.standard_normal((min(BATCH, asked.left), asked.dimensions)))
+        failures += int((values <= 0).sum())
+        n += len(values)
+    known, found = proportion(failures, n, method="exact"), _plain_cov(failures, n)
+    high = proportion(failures + asked.unknown, n, method="exact").high
+    level = Level(0.0, known.estimate, found, n)
+    converged = found <= cov and not asked.unknown
+    reason = _plain_reason(asked, failures, n, converged)
+    return asked.answer("plain", known.estimate, found, (known.low, high), [level], converged, reason)
+
+
+def _plain_cov(failures: int, n: int) -> float:
+    return math.sqrt((n - failures) / (failures * n)) if failures else math.inf
+
+
+def _plain_reason(asked: Asked, failures: int, n: int, converged: bool) -> str:
+    if asked.unknown:
+        return f"{asked.unknown} of {n} values were not a number; the interval's upper end counts them as failures."
+    said = f"{failures} failure{'s' * (failures != 1)} in {n} independent draws"
+    return (
+        f"{said}." if converged else f"{said}; the budget was spent before the asked precision was reached."
+    )

@@ -12,8 +12,8 @@ import numpy as np
 
 from testbed.common.angles import unwrapped_deg
 from testbed.common.docstrings import first_line
+from testbed.flight.breakage import UNITS, tracking_error
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import UNITS, tracking_error
 from testbed.flight.requirements import worst_s
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import THEMES

@@ -8,8 +8,8 @@ from typing import Any
 
 from testbed.common.units import endings, unit
 from testbed.failures import Failure
+from testbed.flight.breakage import RECOVERED
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import RECOVERED
 
 _REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
 """Whether a failure did what it should, if not."""

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.description import Aircraft
+from testbed.flight.breakage import recovery_events
 from testbed.flight.columns import Columns, Recorded, all_columns, stuck_sensors, table
 from testbed.flight.events import controller_events, loss_event
 from testbed.flight.flight import Flying, Outcome
-from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
 from testbed.metrics import Readings, adaptation_rates, measure, unjudged
 from testbed.parts import digests

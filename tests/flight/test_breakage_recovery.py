@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from handmade import at, injection, level_log
 
-from testbed.flight.recovery import recoveries, recovery_events
+from testbed.flight.breakage import recoveries, recovery_events
 
 
 def off(first_s: float, end_s: float, column: str = "altitude_m", by: float = 6.0) -> dict[str, np.ndarray]:

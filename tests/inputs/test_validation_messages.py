@@ -9,7 +9,7 @@ from pydantic import Field, ValidationError
 
 from testbed.inputs.base import Positive, Settings, Text, Whole
 from testbed.inputs.problems import Issue
-from testbed.inputs.pydantic_messages import issue_of
+from testbed.inputs.validation import issue_of
 
 
 class Circle(Settings):
