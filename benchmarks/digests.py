@@ -29,8 +29,8 @@ CODE: Mapping[str, tuple[str, ...]] = {
     "logs": ("logs",),
 }
 """Parts of the program: packages and modules, from src/testbed; those of earlier versions too, where it was flown with them."""
-PROVABLE = ("law", "plant", "simulation", "sweeps")
-"""Parts whose work the flights and the sweep of `same_bytes.py` show."""
+PROVABLE = ("law", "plant", "simulation", "sweeps", "searches", "adoption")
+"""Parts whose work the flights, studies and adopted aircraft of `same_bytes.py` show."""
 FLOWN = ("law", "plant", "simulation", "aircraft/vtail")
 """What every flight of the v-tail depends on."""
 _DATA = ("xml", "yaml", "json", "csv")

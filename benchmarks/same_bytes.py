@@ -3,8 +3,9 @@
     python benchmarks/same_bytes.py BEFORE [AFTER] [--runs 64]
 
 BEFORE and AFTER are commits; AFTER is the working tree if it is left out. Each commit flies every scenario in its own
-scenarios/, the further flights of HARD and the shipped sweep, with its own src/ and this Python. Compared are log.csv and
-summary.json of each flight, and results.csv of the sweep. A table that has columns more than before is the same if the columns that
+scenarios/, the further flights of HARD, the shipped sweep, the first flights of the shipped searches by each method, and adopts
+two models, with its own src/ and this Python. Compared are log.csv and summary.json of each flight, results.csv of the sweep and
+the searches, and the files of the adopted aircraft. A table that has columns more than before is the same if the columns that
 both have are; they are named, and so are files that BEFORE does not have. Exit status: 0 if all files of BEFORE are the same,
 1 if one differs or is missing.
 
@@ -44,6 +45,14 @@ HARD = {
     "reversal": ["failures=[{type: reversal, actuator: left_ruddervator, at_s: 20}]"],
 }
 """Settings of further flights in weather, which reach modes, jams and controllers that no shipped scenario reaches."""
+SEARCHES = {
+    "smallest_gust": [""],
+    "smallest_turbulence": [""],
+    "rare_gust": ["method=adaptive", "method=subset", "method=importance", "method=plain"],
+}
+"""Shipped searches, and the settings with which each is flown."""
+BUDGET, ADOPTED = "60", ("c172p", "T37")
+"""Flights of each search; models of the jsbsim package."""
 
 
 @contextmanager
@@ -65,7 +74,7 @@ def testbed(tree: Path, *arguments: str) -> None:
     """Run a command of that tree's testbed; exits unless its status is 0 or 1 (1: a requirement is not met)."""
     # One BLAS thread: until the design of control modes saw to that itself, more changed the last bits of some.
     environment = {**os.environ, "PYTHONPATH": str(tree / "src"), "OPENBLAS_NUM_THREADS": "1"}
-    command = [sys.executable, "-m", "testbed", *arguments, "--no-plots"]
+    command = [sys.executable, "-m", "testbed", *arguments]
     done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):
         sys.exit(f"{tree}: {' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
@@ -74,13 +83,21 @@ def testbed(tree: Path, *arguments: str) -> None:
 def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
     """The files that this tree's program writes: their contents, by their paths below `out`."""
     for scenario in sorted((tree / "scenarios").glob("*.yaml")):
-        testbed(tree, "run", str(scenario), "--out", str(out / scenario.stem))
+        testbed(tree, "run", str(scenario), "--out", str(out / scenario.stem), "--no-plots")
     for name, settings in HARD.items():
         changes = [part for setting in ("requirements=[]", *settings) for part in ("--set", setting)]
-        testbed(tree, "run", WEATHER, "--out", str(out / name), *changes)
-    testbed(tree, "sweep", SWEEP, "--runs", str(runs), "--out", str(out / "sweep"))
-    names = ("*/log.csv", "*/summary.json", "sweep/results.csv")
-    files = {file for name in names for file in out.glob(name) if file != out / "sweep" / "summary.json"}
+        testbed(tree, "run", WEATHER, "--out", str(out / name), *changes, "--no-plots")
+    testbed(tree, "sweep", SWEEP, "--runs", str(runs), "--out", str(out / "studies" / "sweep"), "--no-plots")
+    for name, methods in SEARCHES.items():
+        for method in methods:
+            folder = out / "studies" / f"{name} {method}".strip()
+            changes = ["--set", method] if method else []
+            file = f"scenarios/searches/{name}.yaml"
+            testbed(tree, "search", file, "--budget", BUDGET, "--out", str(folder), *changes, "--no-plots")
+    for model in ADOPTED:
+        testbed(tree, "adopt", model, "--out", str(out / "adopted" / model))
+    names = ("*/log.csv", "*/summary.json", "studies/*/results.csv", "adopted/*/*.yaml", "adopted/*/*.json")
+    files = {file for name in names for file in out.glob(name)}
     return {str(file.relative_to(out)): file.read_bytes() for file in files}
 
 
