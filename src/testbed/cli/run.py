@@ -16,7 +16,6 @@ from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.terminal import erase, print_verdict_word, working
 from testbed.inputs.problems import BadInput, Problem, collect
-from testbed.reporting.words import number
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -156,7 +155,7 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
     from testbed.reporting.run_report import told
     from testbed.reporting.story import diagnoses, story
-    from testbed.reporting.words import DIGITS
+    from testbed.reporting.words import DIGITS, number
 
     code = f" ({flight.flown_by_sha256[:DIGITS]})" if flight.flown_by_sha256 else ""
     by = f", flown by {flight.flown_by}{code}" if flight.flown_by else ""
