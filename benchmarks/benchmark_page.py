@@ -47,8 +47,7 @@ any weather. Their seed is made from a digest of the controllers' code and a wor
 commit that froze it, which its author could have made anew.
 **Held** is flown to the end and never farther from the
 references of altitude and heading than limits that grow with the aircraft's span and speed: a span and 0.45 s of flight, 10 m for
-the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time
-within them.
+the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time within them.
 """
 ROUGHEST_M_S = 15.24
 """W20 of 50 ft/s, to which a healthy flight must have no false alarm."""
@@ -56,9 +55,9 @@ NOTES = """\
 ## How to read it
 
 Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
-mean or a rank. *Best of all* is the best controller in each draw, those that are told the truth among them: what can be held is
-that or more.
-`indi_monitor` has the default's diagnosis, `informed_increments` is told the truth. *Effort* is the median ratio in the same draw.
+mean or a rank. *Best of all* is the best controller in each draw, the five that are told the truth among them: what can be held is
+that or more. `indi_monitor` has the default's diagnosis. *Effort* is the median ratio in the same draw.
+[Columns and groups](../reference/benchmark.md#what-is-measured).
 """
 HEALTHY_HEAD = """\
 # Healthy flights

@@ -167,7 +167,10 @@ def _halves(summary: Summary) -> Iterator[Section]:
     for key in ("held", "inside", "rank"):
         apart = [f"`{name}`" for name in names if not _overlap(one[name][key], two[name][key])]
         words.append(f"*{key}* of all but {', '.join(apart)}" if apart else f"*{key}* of all {len(names)}")
-    said = f"The intervals of the first and the second half of the draws overlap in {'; '.join(words)}. Rank is by *inside*."
+    said = (
+        "Of those that are told nothing, the intervals of the first and the second half of the draws overlap in "
+        f"{'; '.join(words)}. Rank is by *inside*."
+    )
     rows = [
         [f"`{name}`", *(_interval(half[name]["inside"]) for half in (one, two)),
          *(_interval(half[name]["rank"], form=".0f") for half in (one, two))]
