@@ -10,7 +10,7 @@ import pytest
 from vtail_setup import vtail_setup
 
 from testbed.aircraft.control_design import AllocationWeights, ControlDesign, Loops, StateDeviations
-from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.design_model import ROWS, DesignModel
 from testbed.common.signals import RATES
 from testbed.controllers.released_axes import authorities
 from testbed.controllers.scaling import excess_u_dot, gust_density, model_error_std, scaled
@@ -82,6 +82,10 @@ def test_in_units_of_authority_no_axis_weighs_more_than_a_more_important_one() -
     assert (given.p_dot, given.r_dot) == (2.0, 1.0)
     first = design(fast, control=ControlDesign(priorities=("p_dot", "q_dot", "r_dot", "u_dot"))).allocation
     assert first.p_dot == 1.0
+    still = np.array(MODEL.input_matrix)
+    still[ROWS.index("r_dot")] = 0.0
+    none = design(replace(fast, input_matrix=tuple(map(tuple, still)))).allocation
+    assert (none.p_dot, none.q_dot, none.r_dot) == (1.0, 1.0, 1.0)
 
 
 def test_little_authority_slows_the_whole_cascade() -> None:

@@ -174,12 +174,13 @@ def _loops(
 
 def _allocation(authority: Mapping[str, float], priorities: Sequence[str]) -> dict[str, float]:
     """Weights of the rates of rotation, as `AllocationWeights`: the least authority of an axis and of all more important ones, over
-    its own. With equal weights a weak aileron's missing roll, which asks for accelerations that no rudder can give, took all of the
-    rudder, and the yaw that came with it lost the aircraft."""
+    its own; 1 for an axis without authority, which has nothing to lose.
+
+    With equal weights a weak aileron's missing roll, which asks for accelerations that no rudder can give, took all of the rudder,
+    and the yaw that came with it lost the aircraft."""
     weights, least = dict.fromkeys(_DEMANDS, 1.0), math.inf
     for axis in priorities:
-        if axis in weights and axis in authority:
-            own = max(authority[axis], _NO_AUTHORITY)
+        if axis in weights and (own := authority.get(axis, 0.0)) > _NO_AUTHORITY:
             least = min(least, own)
             weights[axis] = least / own
     return weights
