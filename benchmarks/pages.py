@@ -13,13 +13,17 @@ Costs are processor time of one core. `result_pages.py` says how each page is ma
 from __future__ import annotations
 
 import argparse
+import hashlib
+import json
 import os
+import re
 import resource
 import shlex
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import date
+from pathlib import Path
 
 from digests import ROOT
 from result_pages import PAGES, Page
@@ -68,7 +72,7 @@ def make(page: Page) -> None:
     commit, before = _commit(), resource.getrusage(resource.RUSAGE_CHILDREN)
     digests, folders = digests_of(page.on), os.pathsep.join((str(ROOT / "src"), str(ROOT / "benchmarks")))
     for command in page.commands:
-        run = [sys.executable, *_expanded(command)]
+        run = [sys.executable, *_expanded(kept_apart(command, digests))]
         print(f"{page.name}: {command}", flush=True)
         if subprocess.run(run, cwd=ROOT, env={**os.environ, "PYTHONPATH": folders}, check=False).returncode:
             sys.exit(f"{page.name}: `python {command}` failed; the page keeps its stamp")
@@ -76,6 +80,15 @@ def make(page: Page) -> None:
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     put(page, Stamp(commit, f"{date.today()}", page.seeds, page.command, environment(), digests))
     print(f"{page.name}: {spent:.0f} s of processor time", flush=True)
+
+
+def kept_apart(command: str, digests: Mapping[str, str]) -> str:
+    """The command with a folder of this program's own in `runs/`: scripts go on with the flights that they find, and those of
+    another program would come into the page under this one's stamp."""
+    key = hashlib.sha256(json.dumps(dict(digests), sort_keys=True).encode()).hexdigest()[:12]
+    folder = Path("runs") / key
+    (ROOT / folder).mkdir(parents=True, exist_ok=True)
+    return re.sub(r"(?<!\S)runs/", f"{folder}/", command)
 
 
 def put(page: Page, stamp: Stamp) -> None:

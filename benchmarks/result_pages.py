@@ -85,10 +85,16 @@ PAGES: tuple[Page, ...] = (
         ("explanation/what_a_log_tells.md",),
     ),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 380),
-    Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 430, _THEORY),
+    Page("section4_noise", ("benchmarks/section4_noise.py --parts runs/section4_noise",), "1 to 4", 430, _THEORY),
     Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 170, _THEORY),
     Page("section4_bandwidth", ("benchmarks/section4_bandwidth.py",), "1", 90, _THEORY),
-    Page("decoupling", ("benchmarks/decoupling.py",), "90001 to 90006", 390, (*_THEORY, "aircraft/vtail_aft")),
+    Page(
+        "decoupling",
+        ("benchmarks/decoupling.py --csv runs/decoupling.csv",),
+        "90001 to 90006",
+        390,
+        (*_THEORY, "aircraft/vtail_aft"),
+    ),
     Page(
         "smallest_failures",
         (

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import benchmark_page
 import digests
+import pages
 import pytest
 import stamps
 from blocks import block, with_block
@@ -98,6 +99,16 @@ def test_the_committed_proofs_are_of_parts_that_flights_show() -> None:
     for proof in digests.proofs():
         assert proof["files"] > 20
         assert proof["before"].keys() <= set(digests.PROVABLE) <= set(CODE)
+
+
+def test_flights_of_another_program_are_not_gone_on_with(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(pages, "ROOT", tmp_path)
+    command = "benchmarks/gallery.py --results runs/gallery runs/adopted/* docs/runs/x"
+    one, again, two = (pages.kept_apart(command, {"law": law}) for law in "112")
+    assert one == again != two
+    folder = one.split()[2].removesuffix("/gallery")
+    assert one == f"benchmarks/gallery.py --results {folder}/gallery {folder}/adopted/* docs/runs/x"
+    assert (tmp_path / folder).is_dir() and folder != "runs"
 
 
 def test_a_block_is_replaced_and_nothing_else() -> None:
