@@ -101,7 +101,9 @@ def test_the_committed_proofs_are_of_parts_that_flights_show() -> None:
         assert proof["before"].keys() <= set(digests.PROVABLE) <= set(CODE)
 
 
-def test_flights_of_another_program_are_not_gone_on_with(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_flights_of_another_program_are_not_gone_on_with(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(pages, "ROOT", tmp_path)
     command = "benchmarks/gallery.py --results runs/gallery runs/adopted/* docs/runs/x"
     one, again, two = (pages.kept_apart(command, {"law": law}) for law in "112")
