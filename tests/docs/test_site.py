@@ -34,12 +34,15 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-def test_every_page_opens_from_disk(site: Path, browser: Any) -> None:
+@pytest.mark.parametrize(
+    "part", range(3)
+)  # of a third of the pages each, so that no worker waits for one test at the end
+def test_every_page_opens_from_disk(site: Path, browser: Any, part: int) -> None:
     """Wide in light and narrow in dark, or the other way round: a window's next page begins as the one before ended."""
     # the links of 404.html begin at a server's root
     pages = [file for file in sorted(site.rglob("*.html")) if file.name != "404.html"]
     found = {}
-    for file, window in opened(browser, pages, WIDTHS[0], "light"):
+    for file, window in opened(browser, pages[part::3], WIDTHS[0], "light"):
         name = file.relative_to(site).with_suffix("").as_posix()
         for width in WIDTHS:
             window.resize(width)
