@@ -34,11 +34,10 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-@pytest.mark.parametrize(
-    "part", range(3)
-)  # of a third of the pages each, so that no worker waits for one test at the end
+@pytest.mark.parametrize("part", range(3))
 def test_every_page_opens_from_disk(site: Path, browser: Any, part: int) -> None:
-    """Wide in light and narrow in dark, or the other way round: a window's next page begins as the one before ended."""
+    """Wide in light and narrow in dark, or the other way round: a window's next page begins as the one before ended. A third of the
+    pages each, so that no worker waits for one test at the end."""
     # the links of 404.html begin at a server's root
     pages = [file for file in sorted(site.rglob("*.html")) if file.name != "404.html"]
     found = {}
