@@ -169,7 +169,7 @@ def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[st
     """A table of what single parts bring in the kinds of flights that they are for: differences from the default."""
     if not summaries:
         return
-    first = summaries[0]
+    first, harm = summaries[0], []
     yield ""
     other = "" if first["law_sha256"] == law else _with_another(first["law_sha256"])
     yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}{other}, minus `default`."
@@ -180,6 +180,10 @@ def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[st
             cells = [_difference(against[key]) for key in ("survived", "held", "inside")]
             flights, parts = summary["suite"].replace("_", " "), ", ".join(without["ablate"])
             yield f"| {flights} | {parts} | {' | '.join(cells)} |"
+            if against["held"]["low"] > 0.0:
+                harm.append(f"{parts} on {flights}")
+    if harm:
+        yield from ("", f"**More is held without** {', '.join(harm)}.")
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
@@ -199,7 +203,8 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
             sys.exit(f"the flights of --more have another {key}")
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
-    words = f"{headline} They were flown after the first {first['draws']} of them, which are those above. {groups[2]}"
+    headline = headline.partition(" The best controller in each draw")[0]  # of two: no bound
+    words = f"{headline} Only these two flew them, the first {first['draws']} of which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
     against = {name: of_all["scores"][name]["against_reference"] for name in others}

@@ -46,11 +46,11 @@ HARD = {
 }
 """Settings of further flights in weather, which reach modes, jams and controllers that no shipped scenario reaches."""
 SEARCHES = {
-    "smallest_gust": [""],
-    "smallest_turbulence": [""],
-    "rare_gust": ["method=adaptive", "method=subset", "method=importance", "method=plain"],
+    "smallest gust": ("smallest_gust",),
+    "smallest turbulence": ("smallest_turbulence",),
+    **{name: ("rare_gust", f"method={name}") for name in ("adaptive", "subset", "importance", "plain")},
 }
-"""Shipped searches, and the settings with which each is flown."""
+"""Shipped searches, each with the settings with which it is flown."""
 BUDGET, ADOPTED = "60", ("c172p", "T37")
 """Flights of each search; models of the jsbsim package."""
 
@@ -88,12 +88,10 @@ def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
         changes = [part for setting in ("requirements=[]", *settings) for part in ("--set", setting)]
         testbed(tree, "run", WEATHER, "--out", str(out / name), *changes, "--no-plots")
     testbed(tree, "sweep", SWEEP, "--runs", str(runs), "--out", str(out / "studies" / "sweep"), "--no-plots")
-    for name, methods in SEARCHES.items():
-        for method in methods:
-            folder = out / "studies" / f"{name} {method}".strip()
-            changes = ["--set", method] if method else []
-            file = f"scenarios/searches/{name}.yaml"
-            testbed(tree, "search", file, "--budget", BUDGET, "--out", str(folder), *changes, "--no-plots")
+    for name, (search, *settings) in SEARCHES.items():
+        changes = [part for setting in settings for part in ("--set", setting)]
+        where = ["--budget", BUDGET, "--out", str(out / "studies" / name), "--no-plots"]
+        testbed(tree, "search", f"scenarios/searches/{search}.yaml", *where, *changes)
     for model in ADOPTED:
         testbed(tree, "adopt", model, "--out", str(out / "adopted" / model))
     names = ("*/log.csv", "*/summary.json", "studies/*/results.csv", "adopted/*/*.yaml", "adopted/*/*.json")
