@@ -9,7 +9,6 @@ from testbed.flight.flight import Flight
 from testbed.reporting import html, run_report
 from testbed.reporting.html import tag
 from testbed.studies.folder import logs
-from testbed.studies.folder.logs import file_of
 
 FOLDER = "flights"
 """Folder of these pages in a sweep folder."""
@@ -22,7 +21,7 @@ def page_of(log: Path) -> Path:
 
 def write_kept_page(flight: Flight, log: Path) -> Path:
     """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
-    study, (run, label) = file_of(log.parent.parent), logs.run_and_label(log.stem)
+    study, (run, label) = logs.file_of(log.parent.parent), logs.run_and_label(log.stem)
     back = html.note(f"Run {run} of ", html.link(f"a {study.stem}", "../report.html"), ".")
     said = (
         f"Run this in the folder of the {study.stem}. It flies the same flight, and keeps its log in full precision; "
@@ -30,6 +29,12 @@ def write_kept_page(flight: Flight, log: Path) -> Path:
     )
     again = html.joined([tag("p", said), tag("pre", only(run, label, study.name))])
     return run_report.write_page(flight, page_of(log), again=again, back=back, within=log.parent.parent)
+
+
+def write_page_if_kept(folder: Path, run: int, variant: str) -> None:
+    """Write the page of a flight, by its run and its variant's label, if its log was kept. Raises OSError as `write_kept_page`."""
+    if (flight := logs.kept(folder, run, variant)) is not None:
+        write_kept_page(flight, logs.log_file(folder, run, variant))
 
 
 def only(run: int, variant: str, file: str) -> str:
