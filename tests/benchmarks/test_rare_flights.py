@@ -14,7 +14,7 @@ from testbed.studies.checks import check
 from testbed.studies.folder import store
 from testbed.studies.record import Record
 from testbed.studies.search.plan import Part, key_of, load_search
-from testbed.studies.search.space import Space
+from testbed.studies.search.plan import Space
 
 
 @pytest.fixture
