@@ -12,8 +12,8 @@ import numpy as np
 
 from testbed.aircraft.changes import name_in
 from testbed.scenario.load import drop_commands_after_the_end, placed_name
-from testbed.studies.drawing import sampling
 from testbed.studies.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.distributions import BATCH, batch, grid_point, hashed
 from testbed.studies.model import StopWhen, Study
 from testbed.studies.record import key_of
 
@@ -72,7 +72,7 @@ class Plan:
     def task(self, k: int) -> Task:
         """Flight number k, from 0: run `k // len(variants)`, variant `k % len(variants)`."""
         run, variant = divmod(k, len(self.variants))
-        values, seed = dict(self.draw(run)), sampling.hashed(self.study.seed, "run", run)
+        values, seed = dict(self.draw(run)), hashed(self.study.seed, "run", run)
         if self.cases is not None:
             seed = values.pop("seed", seed)
         return Task(run, variant, seed, values)
@@ -85,7 +85,7 @@ class Plan:
         """Values drawn for a run, by dotted paths: a pure function of (study, seed, run)."""
         if self.cases is not None:
             return self.cases[run]
-        index, offset = divmod(run, sampling.BATCH)
+        index, offset = divmod(run, BATCH)
         return self._batch(index)[offset]
 
     @cached_property
@@ -95,10 +95,10 @@ class Plan:
     def _drawn(self, index: int) -> list[dict[str, Any]]:
         vary = self.study.vary
         if self.sampling == "grid":
-            first, last = index * sampling.BATCH, min((index + 1) * sampling.BATCH, self.runs)
-            points = np.array([sampling.grid_point(self._levels, i) for i in range(first, last)])
+            first, last = index * BATCH, min((index + 1) * BATCH, self.runs)
+            points = np.array([grid_point(self._levels, i) for i in range(first, last)])
         else:
-            points = sampling.batch(self.sampling, self.study.seed, list(vary), self.runs, index)
+            points = batch(self.sampling, self.study.seed, list(vary), self.runs, index)
         columns = [distribution.quantiles(points[:, j]) for j, distribution in enumerate(vary.values())]
         return [dict(zip(vary, row, strict=True)) for row in zip(*columns, strict=True)]
 

@@ -17,9 +17,8 @@ from testbed.common.text import printable
 from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
-from testbed.studies.flying.cluster import refuse_dead
 from testbed.studies.flying.flight import SAVE_LOGS, Fly, Job, fly_reference
-from testbed.studies.flying.pool import MOST_JOBS, FlyAll, Workers, workers
+from testbed.studies.flying.pool import MOST_JOBS, FlyAll, Workers, refuse_dead, workers
 from testbed.studies.folder.begin import begin, remove_results
 from testbed.studies.folder.logs import log_file
 from testbed.studies.folder.store import Store

@@ -8,7 +8,7 @@ import numpy as np
 from handmade import flight_of, level_log
 
 from testbed.studies.folder import store
-from testbed.studies.folder.histories import (
+from testbed.studies.folder.logs import (
     CHANNELS,
     POINTS,
     RECORD_BYTES,

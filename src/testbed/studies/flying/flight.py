@@ -17,7 +17,7 @@ from testbed.parts import Parts, in_use
 from testbed.scenario.load import Scenario
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.folder import logs
-from testbed.studies.folder.histories import history
+from testbed.studies.folder.logs import history
 from testbed.studies.record import Flown, Record
 
 Fly = Callable[[Scenario], Flight]

@@ -22,7 +22,7 @@ from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, guess
 from testbed.inputs.yaml_source import Source
 from testbed.studies.drawing.builder import Builder, Task
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.drawing.distributions import hashed
 from testbed.studies.load import name_of, study_of
 from testbed.studies.matrix.plan import Cell, MatrixPlan, cells
 from testbed.studies.model import MOST_FLIGHTS, Expected, Matrix

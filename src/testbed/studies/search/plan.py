@@ -29,8 +29,7 @@ from testbed.inputs.problems import BadInput, guess
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
 from testbed.studies.drawing.builder import Builder, Task
-from testbed.studies.drawing.distributions import Distribution
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.drawing.distributions import Distribution, hashed
 from testbed.studies.load import name_of, study_of
 from testbed.studies.model import Goal, Search, Study, Sweep
 from testbed.studies.plan import Plan
