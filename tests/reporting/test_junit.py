@@ -16,7 +16,7 @@ from testbed.inputs.problems import BadInput
 from testbed.reporting import junit
 from testbed.reporting.story import story
 from testbed.studies.load import load_sweep
-from testbed.studies.matrix.load import load_matrix
+from testbed.studies.matrix import load_matrix
 from testbed.study_reports import tests as of_study
 
 

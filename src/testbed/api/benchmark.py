@@ -18,8 +18,7 @@ from testbed.studies.benchmark.load import as_given, chosen, law_sha256, load_su
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.run import Flights, Options
-from testbed.studies.sweep import fly_part
+from testbed.studies.run import Flights, Options, fly_part
 from testbed.study_reports.benchmark import markdown, write_benchmark_page
 from testbed.study_reports.tests import tests_of_benchmark
 

@@ -21,10 +21,8 @@ from testbed.studies.flying.flight import Fly
 from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.folder.table import TABLE as FLIGHTS
 from testbed.studies.folder.table import finished
-from testbed.studies.matrix.load import load_matrix, read_baseline
-from testbed.studies.matrix.plan import MatrixPlan, summarize
-from testbed.studies.run import Flights, Options
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.matrix import MatrixPlan, load_matrix, read_baseline, summarize
+from testbed.studies.run import Flights, Options, fly_sweep
 from testbed.study_reports.matrix import write_matrix_page
 from testbed.study_reports.sweep.flight_page import write_page_if_kept
 from testbed.study_reports.tests import tests_of_matrix

@@ -10,7 +10,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
 from testbed.studies.folder.logs import flight_label, in_file_names
-from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.matrix import MatrixPlan
 from testbed.study_reports.sweep.flight_page import FOLDER, only
 
 Cell = Mapping[str, Any]

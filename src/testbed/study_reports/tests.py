@@ -10,7 +10,7 @@ from testbed.reporting.junit import Test
 from testbed.reporting.story import story
 from testbed.studies.folder import logs, table
 from testbed.studies.folder.logs import in_file_names
-from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.matrix import MatrixPlan
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import said_of
 from testbed.study_reports.benchmark import again
