@@ -19,8 +19,7 @@ from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.run import Flights, Options, fly_part
-from testbed.study_reports.benchmark import markdown, write_benchmark_page
-from testbed.study_reports.tests import tests_of_benchmark
+from testbed.study_reports.benchmark import markdown, tests_of_benchmark, write_benchmark_page
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -23,9 +23,8 @@ from testbed.studies.folder.table import TABLE as FLIGHTS
 from testbed.studies.folder.table import finished
 from testbed.studies.matrix import MatrixPlan, load_matrix, read_baseline, summarize
 from testbed.studies.run import Flights, Options, fly_sweep
-from testbed.study_reports.matrix import write_matrix_page
+from testbed.study_reports.matrix import tests_of_matrix, write_matrix_page
 from testbed.study_reports.sweep.flight_page import write_page_if_kept
-from testbed.study_reports.tests import tests_of_matrix
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -26,9 +26,8 @@ from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
 from testbed.studies.run import Flights, Options, fly_only, fly_sweep
-from testbed.study_reports.sweep.flight_page import write_kept_page, write_page_if_kept
+from testbed.study_reports.sweep.flight_page import tests_of_sweep, write_kept_page, write_page_if_kept
 from testbed.study_reports.sweep.report import write_sweep_report
-from testbed.study_reports.tests import tests_of_sweep
 
 if TYPE_CHECKING:
     import pandas as pd

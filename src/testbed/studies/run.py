@@ -162,7 +162,7 @@ def fly_into(
         raise
     except (KeyboardInterrupt, OSError, BadInput) as error:
         useless = new and not len(store)
-        of = f"flights of shard {options.shard}" if options.shard else f"of {plan.total} flights"
+        of = f"flights of shard {options.shard}" if options.shard else f"of {plan.at_most}{plan.size} flights"
         kept = f"{len(store)} {of} are kept, --resume flies the rest"
         kept = "no flight had finished, and nothing is kept" if useless else kept
         raise Stopped(f"{folder}: {_why(error)}; {kept}") from None

@@ -8,11 +8,15 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
+from testbed.reporting.junit import Test
 from testbed.reporting.words import interval, number
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _FEW = 20
 """Draws below which nothing is said of a group: it would say little."""
@@ -308,3 +312,22 @@ def _interval(known: Summary, key: str = "estimate", form: str = ".3f") -> str:
 
 def _number(value: float | None) -> str:
     return number(value, ".3g", absent="")
+
+
+def tests_of_benchmark(summary: Mapping[str, Any], frame: pd.DataFrame) -> Iterator[Test]:
+    """A test of each flight, in the order of draws and controllers, which fails where it was not held."""
+    for row in frame.to_dict("records"):
+        said = row["reason"] or ("left its limits" if row["survived"] else f"lost: {row['outcome']}")
+        command = again(summary, row["draw"], row["controller"])
+        name = f"draw {row['draw']}, {row['controller']}"
+        yield Test(name) if row["held"] else Test(name, said, f"{_drawn(row)}\n{command}")
+
+
+def _drawn(row: Mapping[Any, Any]) -> str:
+    """What was drawn, and how far the flight strayed: a benchmark keeps no log of which a story could be told."""
+    about = ", ".join(f"{key} {row[key]}" for key in ("weather", "gust", "sensors", "failures", "course"))
+    inside = f"within its limits in {100 * row['inside']:.0f} % of the flight, which ended at {row['end_time_s']:g} s"
+    worst = (
+        f"{row['altitude_error_max_m']:.1f} m of altitude, {row['heading_error_max_deg']:.0f} deg of heading"
+    )
+    return f"{row['aircraft']}, {row['truth']}: {about}.\nWorst: {worst}; {inside}."

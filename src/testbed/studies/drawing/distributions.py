@@ -286,19 +286,10 @@ def batch(sampling: str, seed: int, names: Sequence[str], runs: int, index: int)
     if sampling == "latin_hypercube":
         return np.asarray(qmc.LatinHypercube(len(names), rng=rng).random(runs)[first : first + BATCH])
     if sampling == "random":
-        return np.column_stack([_independent(seed, name, index) for name in names])
+        # Each value has its own stream, so that varying another does not change it.
+        streams = (np.random.default_rng(hashed(seed, "draw", name, index)) for name in names)
+        return np.column_stack([stream.random(BATCH) for stream in streams])
     sequence = (qmc.Sobol if sampling == "sobol" else qmc.Halton)(len(names), rng=rng)
     if first:
         sequence.fast_forward(first)
     return np.asarray(sequence.random(BATCH))
-
-
-def _independent(seed: int, name: str, index: int) -> np.ndarray:
-    """[BATCH] draws of one varied value from its own stream, so that varying another value does not change them."""
-    return np.random.default_rng(hashed(seed, "draw", name, index)).random(BATCH)
-
-
-def grid_point(levels: Sequence[np.ndarray], index: int) -> np.ndarray:
-    """[dimensions] point `index` of a grid, as probabilities; the last varied value changes fastest."""
-    chosen = np.unravel_index(index, [len(values) for values in levels])
-    return np.array([values[k] for values, k in zip(levels, chosen, strict=True)])

@@ -156,16 +156,12 @@ class SearchPlan(Plan):
     study: Search
     parts: tuple[Part, ...]
     histories: ClassVar[bool] = False
+    at_most: ClassVar[str] = "at most "
 
     @property
     def size(self) -> int:
         """The most flights that it may make."""
         return self.study.budget * len(self.parts)
-
-    @property
-    def total(self) -> str:
-        """As `Plan.total`."""
-        return f"at most {self.size}"
 
     def label(self, part: Part) -> str:
         """The variant and the options of a part in words; empty if there is only one part."""

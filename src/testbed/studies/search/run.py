@@ -210,17 +210,12 @@ def _answer(plan: SearchPlan, state: LimitState) -> Answer:
     if search.goal == "probability":
         return failure_probability(state, dimensions, cov=search.cov, method=search.method, **shared)
     origin = np.zeros(dimensions)
-    if failed(state.record(tuple(origin))):
-        return _at_origin(origin)
+    if failed(state.record(tuple(origin))):  # nothing has to break for it
+        why = "The flight at the origin fails already."
+        return SmallestFailure(True, origin, 0.0, 0.0, 1, (Step(1, 0.0, origin),), 0, 1.0, why)
     return smallest_failure(
         state, dimensions, starts=search.starts, mirrored=state.part.space.mirrored, **shared
     )
-
-
-def _at_origin(origin: np.ndarray) -> SmallestFailure:
-    """What is found where the flight at the origin fails already: nothing has to break for it."""
-    return SmallestFailure(True, origin, 0.0, 0.0, 1, (Step(1, 0.0, origin),), 0, 1.0,
-                           "The flight at the origin fails already.")  # fmt: skip
 
 
 Summary = dict[str, Any]

@@ -43,15 +43,11 @@ def is_number(values: pd.Series) -> bool:
     return values.dtype.kind in "fiu" and values.nunique() > 1
 
 
-def is_choice(values: pd.Series) -> bool:
-    """Whether a varied value has names, more than one and few enough to be drawn."""
-    return values.dtype.kind not in "fiu" and 1 < values.astype(str).nunique() <= MOST_NAMES
-
-
 def drawn_inputs(frame: pd.DataFrame, paths: list[str]) -> list[str]:
-    """The varied values that can be drawn, those with numbers first."""
+    """The varied values that can be drawn, those with numbers first; of the others, those with more names than one, but few."""
     numbers = [path for path in paths if is_number(frame[path])]
-    return numbers + [path for path in paths if is_choice(frame[path])]
+    others = [path for path in paths if frame[path].dtype.kind not in "fiu"]
+    return numbers + [path for path in others if 1 < frame[path].astype(str).nunique() <= MOST_NAMES]
 
 
 def pass_shares(rows: pd.DataFrame, path: str) -> list[list[Any]]:
@@ -170,7 +166,9 @@ def rounded(value: float | None) -> float | None:
 def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, Any]:
     """Everything that the script draws and lists, as JSON's types (NaN becomes None)."""
     groups = list(groups_of(plan, frame))
-    shown = _first_runs(frame, len(plan.variants))
+    # The flights of the first runs, so many that the page stays small.
+    runs = frame["run"].drop_duplicates().sort_values().head(max(MOST_FLIGHTS // len(plan.variants), 1))
+    shown = frame[frame["run"].isin(runs)]
     return {
         "folder": folder.name,
         "variants": [label for label, _ in groups],
@@ -188,12 +186,6 @@ def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, A
         "shares": shares(plan, frame),
         "errors": list(errors(plan, frame, folder)),
     }
-
-
-def _first_runs(frame: pd.DataFrame, variants: int) -> pd.DataFrame:
-    """The flights of the first runs, so many that the page stays small."""
-    most = frame["run"].drop_duplicates().sort_values().head(max(MOST_FLIGHTS // variants, 1))
-    return frame[frame["run"].isin(most)]
 
 
 def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:
