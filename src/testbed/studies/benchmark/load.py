@@ -33,6 +33,8 @@ _PACKAGE = Path(__file__).parents[2]
 _LAW = ("controllers", "aircraft/control_design.py")
 _OUTSIDE = ("controllers/external/", "controllers/user/")
 """Seams through which controllers of others come in: no shipped controller is flown by them."""
+_MADE_BY = ("adoption", "plant", "aircraft")
+"""Packages on which an adopted aircraft depends: with other code it is adopted again."""
 Compared = dict[str, Mapping[str, Any] | OwnController]
 """Controllers by name: settings of a shipped one, or one of the user's."""
 
@@ -133,10 +135,6 @@ def law_sha256() -> str:
 def seed_of(word: str) -> int:
     """The seed for a law that is frozen and a public word that was said afterwards, so that nobody can choose the draws for it."""
     return hashed(law_sha256(), word)
-
-
-_MADE_BY = ("adoption", "plant", "aircraft")
-"""Packages on which an adopted aircraft depends: with other code it is adopted again."""
 
 
 @cache
