@@ -31,7 +31,7 @@ import testbed
 from testbed.api import benchmark
 from testbed.studies.benchmark import scores
 from testbed.studies.folder import store
-from testbed.study_reports.benchmark_page import markdown
+from testbed.study_reports.benchmark import markdown
 
 SUITES, HEALTHY = ("open", "healthy"), 20  # and flights of each controller in `healthy`
 ROOT = Path(__file__).parents[1]

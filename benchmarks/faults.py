@@ -43,7 +43,7 @@ vary:
   atmosphere.wind_m_s.1: {{normal: [0, 2]}}
 """
 _MAIN = """\
-import sys; from testbed.cli import interrupts; interrupts.end_at_once()  # as the first lines of `main`
+import sys; from testbed.cli import ending; ending.end_at_once()  # as the first lines of `main`
 print(flush=True)
 from testbed.__main__ import main; sys.exit(main())
 """

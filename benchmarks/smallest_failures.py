@@ -28,8 +28,8 @@ from testbed.studies.drawing.builder import Builder, Task, Variant
 from testbed.studies.drawing.distributions import Distribution
 from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import FlyAll, workers
+from testbed.studies.search.plan import Coordinate, Origin, Space
 from testbed.studies.search.run import robustness
-from testbed.studies.search.space import Coordinate, Origin, Space
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "smallest_failures.md"
 COMPARED = ("default", "indi")

@@ -12,8 +12,7 @@ import tempfile
 from pathlib import Path
 
 from testbed.studies.load import load_sweep
-from testbed.studies.run import Options
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import Options, fly_sweep
 
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 

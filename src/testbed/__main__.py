@@ -18,18 +18,18 @@ _THREADS = "NUMBA_NUM_THREADS"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, of `sys.argv` if none is given, and return its exit status."""
-    from testbed.cli import interrupts, status
+    from testbed.cli import ending
 
     # At its end Python would go through all that numba has loaded once more, for half a second.
     atexit.register(gc.freeze)
-    atexit.register(interrupts.end_undisturbed)
-    interrupts.end_at_once()  # before everything else is imported, which takes most of a second
+    atexit.register(ending.end_undisturbed)
+    ending.end_at_once()  # before everything else is imported, which takes most of a second
     if words := too_little_memory():
         print(words, file=sys.stderr)
-        return status.ENDED_EARLY
+        return ending.ENDED_EARLY
     if words := wrong_setting():
         print(words, file=sys.stderr)
-        return status.BAD_INPUT
+        return ending.BAD_INPUT
     from testbed.cli.commands import end_despite_threads, main
 
     return end_despite_threads(main(arguments))

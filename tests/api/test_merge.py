@@ -20,9 +20,8 @@ from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario
 from testbed.studies.load import load_sweep
-from testbed.studies.matrix.load import load_matrix
-from testbed.studies.run import Options
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.matrix import load_matrix
+from testbed.studies.run import Options, fly_sweep
 
 N = 3
 

@@ -13,8 +13,7 @@ from rare_flights import CHECKED, RARE
 from testbed.studies.checks import check
 from testbed.studies.folder import store
 from testbed.studies.record import Record
-from testbed.studies.search.plan import Part, key_of, load_search
-from testbed.studies.search.space import Space
+from testbed.studies.search.plan import Part, Space, key_of, load_search
 
 
 @pytest.fixture

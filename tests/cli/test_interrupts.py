@@ -23,7 +23,7 @@ def interrupted(
     begun = folder / "begun"
     begun.unlink(missing_ok=True)
     code = (
-        "import sys; from testbed.cli import interrupts; interrupts.end_at_once()\n"  # as the first lines of `main`
+        "import sys; from testbed.cli import ending; ending.end_at_once()\n"  # as the first lines of `main`
         f"open({str(begun)!r}, 'w').close()\n"
         "from testbed.__main__ import main; sys.exit(main())"
     )
@@ -91,11 +91,11 @@ def said(code: str) -> str:
 def test_an_interrupt_that_a_callback_swallows_is_sent_again() -> None:
     """The interpreter cannot raise what a weak reference's callback raises."""
     code = (
-        "import signal, time, weakref; from testbed.cli import interrupts; interrupts.end_at_once()\n"
+        "import signal, time, weakref; from testbed.cli import ending; ending.end_at_once()\n"
         "class Thing: pass\n"
         "thing = Thing(); seen = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))\n"
         "try:\n"
-        "    with interrupts.tidily():\n"
+        "    with ending.tidily():\n"
         "        del thing; print('swallowed', flush=True)\n"
         "        time.sleep(60)\n"
         "except KeyboardInterrupt: print('tidied up')"
@@ -106,13 +106,13 @@ def test_an_interrupt_that_a_callback_swallows_is_sent_again() -> None:
 def test_an_interrupt_that_native_code_gives_another_name_is_an_interrupt() -> None:
     """Pydantic wraps whatever a serialiser of a class raises."""
     code = (
-        "import signal; from testbed.cli import interrupts; interrupts.end_at_once()\n"
+        "import signal; from testbed.cli import ending; ending.end_at_once()\n"
         "from pydantic import RootModel, model_serializer\n"
         "class Value(RootModel[int]):\n"
         "    @model_serializer\n"
         "    def write(self): signal.raise_signal(signal.SIGINT)\n"
         "try:\n"
-        "    with interrupts.tidily(): Value(1).model_dump()\n"
+        "    with ending.tidily(): Value(1).model_dump()\n"
         "except KeyboardInterrupt as error: print(type(error.__cause__).__name__)"
     )
     assert said(code) == "PydanticSerializationError\n"

@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from testbed import __main__ as start
-from testbed.cli import status
+from testbed.cli import ending
 
 resource = pytest.importorskip("resource")
 
@@ -26,7 +26,7 @@ def limited(megabytes: int, *arguments: str) -> subprocess.CompletedProcess[str]
 @pytest.mark.parametrize("megabytes", [50, 400, start.NEEDED_MB - 1])
 def test_too_little_is_refused(megabytes: int) -> None:
     done = limited(megabytes, "list")
-    assert done.returncode == status.ENDED_EARLY
+    assert done.returncode == ending.ENDED_EARLY
     assert done.stderr == (
         f"the address space is limited to {megabytes} MB, of {start.NEEDED_MB} needed: raise it by `ulimit -v`\n"
     )
@@ -37,7 +37,7 @@ def test_what_is_called_enough_is_enough(tmp_path) -> None:  # type: ignore[no-u
     done = limited(
         start.NEEDED_MB, "run", "scenarios/left_propeller_fail.yaml", "--out", str(tmp_path / "run")
     )
-    assert done.returncode == status.MET, done.stderr
+    assert done.returncode == ending.MET, done.stderr
 
 
 @pytest.mark.parametrize("text", ["0", "-3", "abc", "1.5", ""])
@@ -46,7 +46,7 @@ def test_a_wrong_number_of_threads_is_refused(text: str) -> None:
         [sys.executable, "-m", "testbed", "list"], env={**os.environ, "NUMBA_NUM_THREADS": text},
         capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert done.returncode == status.BAD_INPUT
+    assert done.returncode == ending.BAD_INPUT
     assert done.stderr == f"NUMBA_NUM_THREADS: is {text!r}, expected a whole number of 1 or more\n"
 
 

@@ -13,7 +13,7 @@ import pytest
 from testbed.common import jit
 from testbed.common.private import cache_home, is_private
 from testbed.plant import first_load
-from testbed.studies.benchmark.craft import hangar
+from testbed.studies.benchmark.load import hangar
 
 VICTIM, OTHER = 4_000_001, 4_000_002
 """Numbers of two users that the machine does not know."""

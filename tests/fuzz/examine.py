@@ -197,8 +197,7 @@ def _scenario(fly: bool, begin: Callable[[str], None]) -> str:
 
 def _sweep(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.api import sweep
-    from testbed.studies.run import Options
-    from testbed.studies.sweep import fly_sweep
+    from testbed.studies.run import Options, fly_sweep
 
     begin("checking")
     plan, _ = sweep.prepare("sweep.yaml")

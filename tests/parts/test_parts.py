@@ -132,7 +132,7 @@ def test_a_shard_with_other_parts_is_not_merged(own: Path, tmp_path: Path) -> No
 def test_their_code_travels(own: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A Dask worker has the package alone: the file is gone after packing, and the row is the same."""
     pytest.importorskip("distributed", reason="the cluster extra")
-    from testbed.studies.flying.cluster import fly_packed, pack
+    from testbed.studies.flying.pool import fly_packed, pack
 
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     with testbed.use(own):

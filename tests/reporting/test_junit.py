@@ -16,8 +16,8 @@ from testbed.inputs.problems import BadInput
 from testbed.reporting import junit
 from testbed.reporting.story import story
 from testbed.studies.load import load_sweep
-from testbed.studies.matrix.load import load_matrix
-from testbed.study_reports import tests as of_study
+from testbed.studies.matrix import load_matrix
+from testbed.study_reports import benchmark as of_benchmark
 
 
 def read(file: Path) -> list[ElementTree.Element]:
@@ -76,7 +76,7 @@ def test_a_benchmarks_failures_tell_what_was_drawn() -> None:
            "inside": 0.835, "end_time_s": 150.0, "altitude_error_max_m": 17.12, "heading_error_max_deg": 25.3,
            "reason": ""}  # fmt: skip
     said = {"file": "open", "seed": 1, "given": {"pid": "pid"}}
-    missed, held, lost = of_study.tests_of_benchmark(
+    missed, held, lost = of_benchmark.tests_of_benchmark(
         said, pd.DataFrame([row, row | {"held": True}, row | {"survived": False, "outcome": "crashed"}])
     )
     assert (missed.name, missed.failure, held.failure) == ("draw 3, pid", "left its limits", "")

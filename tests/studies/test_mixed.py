@@ -22,8 +22,7 @@ from testbed.common.arithmetic import arithmetic
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
 from testbed.studies.load import load_sweep
-from testbed.studies.run import Options, Stopped
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import Options, Stopped, fly_sweep
 
 pytestmark = pytest.mark.skipif(platform.machine() != "x86_64", reason="names of kernels of other processors")
 OTHER = "Nehalem" if arithmetic()["kernel"] != "Nehalem" else "Haswell"

@@ -13,8 +13,7 @@ import pytest
 from sweep_files import SWEEP, flown, script, written
 
 from testbed.studies.load import load_sweep
-from testbed.studies.run import bar
-from testbed.studies.sweep import Passed
+from testbed.studies.run import Passed, bar
 
 
 @pytest.mark.nightly

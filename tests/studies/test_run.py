@@ -28,8 +28,7 @@ from sweep_flights import quick
 import testbed
 from testbed.studies.folder import store
 from testbed.studies.load import load_sweep
-from testbed.studies.run import Options
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import Options, fly_sweep
 
 
 def test_any_number_of_workers_gives_the_same_bytes(tmp_path: Path) -> None:
@@ -98,7 +97,7 @@ import resource
 from pathlib import Path
 from testbed.api import sweep
 from testbed.studies.run import Options, Stopped
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import fly_sweep
 plan, folder = sweep.prepare({str(sweep)!r}, {str(tmp_path / "out")!r}, runs=50)
 resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))
 try:

@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from testbed.studies.sensitivity import sensitivity
+from testbed.studies.summary import sensitivity
 
 
 def test_the_inputs_that_matter_are_found() -> None:

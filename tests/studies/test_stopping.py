@@ -12,7 +12,7 @@ from sweep_flights import quick
 import testbed
 from testbed.common.statistics import proportion
 from testbed.studies.model import StopWhen
-from testbed.studies.sweep import Stopping
+from testbed.studies.run import Stopping
 
 
 @pytest.mark.nightly

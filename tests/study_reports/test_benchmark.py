@@ -11,8 +11,7 @@ from html_page import Page
 from suite_files import flown, tree, written
 
 from testbed.cli.commands import parser
-from testbed.study_reports.benchmark import again
-from testbed.study_reports.benchmark_page import markdown, write_benchmark_page
+from testbed.study_reports.benchmark import again, markdown, write_benchmark_page
 from testbed.study_reports.search.words import _flown_again
 from testbed.study_reports.sweep.flight_page import only
 

@@ -17,8 +17,7 @@ from testbed.api.sweep import finish, prepare
 from testbed.studies.flying.pool import serial
 from testbed.studies.folder import store
 from testbed.studies.plan import Plan
-from testbed.studies.run import Options
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import Options, fly_sweep
 
 SWEEP = """\
 name: small

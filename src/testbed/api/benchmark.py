@@ -18,8 +18,8 @@ from testbed.studies.benchmark.load import as_given, chosen, law_sha256, load_su
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.run import Flights, Options
-from testbed.studies.sweep import fly_part
+from testbed.studies.run import Flights, Options, fly_part
+from testbed.study_reports.benchmark import markdown, tests_of_benchmark, write_benchmark_page
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -108,7 +108,6 @@ def finish(
 ) -> dict[str, Any]:
     """As `Kind.finish`: results.csv, summary.json, the report, and the entry if one is asked for."""
     from testbed.studies.benchmark import entry, scores  # with pandas
-    from testbed.study_reports.benchmark_page import write_benchmark_page
 
     with store.reading(folder) as stored:
         frame = scores.table(plan, stored)
@@ -141,15 +140,11 @@ def plan_of(folder: Path) -> Benchmark:
 
 def tests(plan: Benchmark, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
     """A test of each flight, which fails where it was not held, for `--junit`."""
-    from testbed.study_reports.tests import tests_of_benchmark
-
     return tests_of_benchmark(summary, table(folder))
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:
     """As `Kind.answer`: the tables, first where the reference loses."""
-    from testbed.study_reports.benchmark_page import markdown
-
     return markdown(summary)
 
 

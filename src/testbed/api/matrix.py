@@ -18,18 +18,13 @@ from testbed.reporting.words import count
 from testbed.studies.checks import check
 from testbed.studies.drawing.builder import TYPE
 from testbed.studies.flying.flight import Fly
-from testbed.studies.folder import logs
 from testbed.studies.folder.begin import refuse_blocked
-from testbed.studies.folder.logs import log_file
 from testbed.studies.folder.table import TABLE as FLIGHTS
 from testbed.studies.folder.table import finished
-from testbed.studies.matrix.load import load_matrix, read_baseline
-from testbed.studies.matrix.plan import MatrixPlan, summarize
-from testbed.studies.run import Flights, Options
-from testbed.studies.sweep import fly_sweep
-from testbed.study_reports.matrix import write_matrix_page
-from testbed.study_reports.sweep.flight_page import write_kept_page
-from testbed.study_reports.tests import tests_of_matrix
+from testbed.studies.matrix import MatrixPlan, load_matrix, read_baseline, summarize
+from testbed.studies.run import Flights, Options, fly_sweep
+from testbed.study_reports.matrix import tests_of_matrix, write_matrix_page
+from testbed.study_reports.sweep.flight_page import write_page_if_kept
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -137,9 +132,7 @@ def finish(
 def _write_pages(plan: MatrixPlan, found: Mapping[str, Any], folder: Path) -> None:
     for one in found["cells"]:
         if one["run"] is not None:
-            label = plan.variant_of(one["controller"])
-            if (flight := logs.kept(folder, one["run"], label)) is not None:
-                write_kept_page(flight, log_file(folder, one["run"], label))
+            write_page_if_kept(folder, one["run"], plan.variant_of(one["controller"]))
 
 
 def rebuild(folder: Path) -> dict[str, Any]:

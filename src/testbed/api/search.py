@@ -27,8 +27,7 @@ from testbed.studies.folder.logs import in_file_names
 from testbed.studies.model import GOALS, Goal
 from testbed.studies.run import Flights, Options
 from testbed.studies.search.plan import SearchPlan, load_search
-from testbed.studies.search.run import Found, run_search
-from testbed.studies.search.summary import nearest, summarize
+from testbed.studies.search.run import Found, nearest, run_search, summarize
 from testbed.study_reports.search.report import write_search_page
 from testbed.study_reports.search.words import answer as sentences
 from testbed.study_reports.search.words import settings_of

@@ -21,15 +21,13 @@ from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder import logs, store, table
 from testbed.studies.folder.begin import begun_with, refuse_blocked, refuse_changed
-from testbed.studies.folder.logs import file_of, flight_label, in_file_names, log_file, runs_of
+from testbed.studies.folder.logs import file_of, flight_label, in_file_names, runs_of
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
-from testbed.studies.run import Flights, Options
-from testbed.studies.sweep import fly_only, fly_sweep
-from testbed.study_reports.sweep.flight_page import write_kept_page
+from testbed.studies.run import Flights, Options, fly_only, fly_sweep
+from testbed.study_reports.sweep.flight_page import tests_of_sweep, write_kept_page, write_page_if_kept
 from testbed.study_reports.sweep.report import write_sweep_report
-from testbed.study_reports.tests import tests_of_sweep
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -145,8 +143,7 @@ def _write_worst_pages(found: dict[str, Any], folder: Path) -> None:
     """Write the pages of the worst flights of each variant, those whose logs were kept."""
     for variant in found["variants"]:
         for worst in variant["worst"][:WORST_PAGES]:
-            if (flight := logs.kept(folder, worst["run"], variant["label"])) is not None:
-                write_kept_page(flight, log_file(folder, worst["run"], variant["label"]))
+            write_page_if_kept(folder, worst["run"], variant["label"])
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:

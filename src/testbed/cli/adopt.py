@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from testbed.cli.command import add_out
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.cli.terminal import working
 
 PURPOSE = "make an aircraft of a JSBSim model, in a folder of its own, and print its card"

@@ -7,8 +7,7 @@ from pathlib import Path
 
 from testbed.cli import study
 from testbed.cli.command import add_flying, add_junit, add_out, add_shard, whole_number
-from testbed.cli.interrupts import tidily
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET, tidily
 from testbed.cli.terminal import working
 
 PURPOSE = "compare controllers on flights that are drawn from a suite"

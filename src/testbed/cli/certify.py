@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from testbed.cli.command import add_file, add_number, add_out, add_set, checked, write_out
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.cli.terminal import working
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET
 
 PURPOSE = "test parts of your own against the contract of the shipped ones"
 EXAMPLES = ("testbed check my_parts.py",)

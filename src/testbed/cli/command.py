@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.aircraft.shipped import data_root, shipped_files
-from testbed.cli.interrupts import tidily
+from testbed.cli.ending import tidily
 from testbed.inputs.output_file import written
 
 if TYPE_CHECKING:

@@ -1,7 +1,7 @@
 """The commands in their order; run one, and say in one line what goes wrong.
 
-The parser says what was probably meant by a word that it does not know. `status` has the exit status. An error that no command
-expects is one line, too, never a traceback.
+The parser says what was probably meant by a word that it does not know. `ending` has the exit status and Ctrl-C. An error that no
+command expects is one line, too, never a traceback.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NoReturn
 
-from testbed.cli import interrupts
-from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, Ended
+from testbed.cli import ending
+from testbed.cli.ending import BAD_INPUT, ENDED_EARLY, INTERRUPTED, Ended
 from testbed.cli.terminal import give_up, plain_output
 from testbed.inputs.problems import BadInput, did_you_mean, guess
 
@@ -127,7 +127,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             finally:
                 sys.stdout.flush()  # here, so that a full disk is noticed inside this `try`
         except KeyboardInterrupt:
-            return _said(interrupts.WORDS, INTERRUPTED)
+            return _said(ending.WORDS, INTERRUPTED)
         except Exception as error:
             if os.environ.get(_TRACEBACK):
                 raise

@@ -6,8 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from testbed.cli.command import add_out
-from testbed.cli.interrupts import tidily
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET, tidily
 from testbed.cli.terminal import working
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.inputs.problems import BadInput, Problem
 
 PURPOSE = "print the completion script of a shell"

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from testbed.cli.command import add_file, add_number, add_out, add_set, checked, number, write_out
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET
 from testbed.cli.terminal import working
 from testbed.inputs.output_file import refuse_unwritable
 

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from testbed.cli.command import add_origin, add_out
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 
 PURPOSE = "write a flight for another program"
 EXAMPLES = (

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.command import add_out
-from testbed.cli.interrupts import tidily
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET, tidily
 from testbed.cli.terminal import working
 from testbed.inputs.output_file import writing
 from testbed.inputs.problems import BadInput, Problem

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.aircraft.shipped import data_root
+from testbed.cli.ending import MET
 from testbed.cli.schema import TABLE, text_of
-from testbed.cli.status import MET
 from testbed.common.writing import write
 from testbed.inputs.output_file import writing
 from testbed.inputs.problems import BadInput, Problem

@@ -10,7 +10,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from testbed.aircraft import shipped
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.common.docstrings import first_line
 from testbed.inputs.problems import BadInput, Problem
 

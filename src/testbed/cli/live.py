@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.command import add_file, add_set, checked, whole_number
-from testbed.cli.interrupts import tidily
-from testbed.cli.status import MET
+from testbed.cli.ending import MET, tidily
 from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem, collect
 

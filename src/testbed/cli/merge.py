@@ -12,8 +12,7 @@ from typing import Any
 
 from testbed.cli import study
 from testbed.cli.command import add_junit, add_mixed
-from testbed.cli.interrupts import tidily
-from testbed.cli.status import ENDED_EARLY, Ended
+from testbed.cli.ending import ENDED_EARLY, Ended, tidily
 from testbed.cli.terminal import working
 from testbed.inputs.bucket import fetch, is_address
 

@@ -7,9 +7,8 @@ from argparse import ArgumentParser, Namespace
 from importlib import import_module
 from pathlib import Path
 
-from testbed.cli.interrupts import tidily
+from testbed.cli.ending import ENDED_EARLY, MET, NOT_MET, tidily
 from testbed.cli.run import print_verdict
-from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.study import told
 from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem

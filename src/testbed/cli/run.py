@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.command import add_file, add_junit, add_origin, add_out, add_set, checked
-from testbed.cli.interrupts import later, tidily
-from testbed.cli.status import MET, NOT_MET
+from testbed.cli.ending import MET, NOT_MET, later, tidily
 from testbed.cli.terminal import erase, print_verdict_word, working
 from testbed.inputs.problems import BadInput, Problem, collect
 

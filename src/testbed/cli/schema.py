@@ -10,7 +10,7 @@ from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any, get_args
 
 from testbed.cli.command import add_out, write_out
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.common.docstrings import field_docstrings
 from testbed.inputs.output_file import refuse_unwritable
 

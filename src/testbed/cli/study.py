@@ -9,9 +9,8 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from testbed.cli.interrupts import later, tidily
+from testbed.cli.ending import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended, later, tidily
 from testbed.cli.run import print_verdict
-from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended
 from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem
 

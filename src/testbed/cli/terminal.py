@@ -2,7 +2,7 @@
 
 Only the verdict has a colour, and only on a terminal, unless NO_COLOR is set (no-color.org) or TERM is dumb. A line on stderr, if
 that is a terminal, says what is being done and for how long, where it takes longer than a second, and goes when the work is done.
-It needs no colour and hides no cursor, since Ctrl-C may end the process at any time (see `interrupts`).
+It needs no colour and hides no cursor, since Ctrl-C may end the process at any time (see `ending`).
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from importlib import import_module
 
 from testbed.aircraft.shipped import find_scenario
 from testbed.cli.command import add_file, checked
-from testbed.cli.status import MET
+from testbed.cli.ending import MET
 from testbed.cli.terminal import working
 from testbed.inputs.problems import BadInput, Problem, collect
 

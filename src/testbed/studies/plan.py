@@ -12,8 +12,8 @@ import numpy as np
 
 from testbed.aircraft.changes import name_in
 from testbed.scenario.load import drop_commands_after_the_end, placed_name
-from testbed.studies.drawing import sampling
 from testbed.studies.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.distributions import BATCH, batch, hashed
 from testbed.studies.model import StopWhen, Study
 from testbed.studies.record import key_of
 
@@ -36,6 +36,8 @@ class Plan:
     cases_text: str | None = None
     histories: ClassVar[bool] = True
     """Whether the error histories of its flights are kept."""
+    at_most: ClassVar[str] = ""
+    """What is said before the number of flights, where there may be fewer."""
 
     @property
     def variants(self) -> tuple[Variant, ...]:
@@ -64,15 +66,10 @@ class Plan:
         """Number of flights: runs times variants."""
         return self.runs * len(self.variants)
 
-    @property
-    def total(self) -> str:
-        """The number of flights in words."""
-        return str(self.size)
-
     def task(self, k: int) -> Task:
         """Flight number k, from 0: run `k // len(variants)`, variant `k % len(variants)`."""
         run, variant = divmod(k, len(self.variants))
-        values, seed = dict(self.draw(run)), sampling.hashed(self.study.seed, "run", run)
+        values, seed = dict(self.draw(run)), hashed(self.study.seed, "run", run)
         if self.cases is not None:
             seed = values.pop("seed", seed)
         return Task(run, variant, seed, values)
@@ -85,7 +82,7 @@ class Plan:
         """Values drawn for a run, by dotted paths: a pure function of (study, seed, run)."""
         if self.cases is not None:
             return self.cases[run]
-        index, offset = divmod(run, sampling.BATCH)
+        index, offset = divmod(run, BATCH)
         return self._batch(index)[offset]
 
     @cached_property
@@ -95,16 +92,14 @@ class Plan:
     def _drawn(self, index: int) -> list[dict[str, Any]]:
         vary = self.study.vary
         if self.sampling == "grid":
-            first, last = index * sampling.BATCH, min((index + 1) * sampling.BATCH, self.runs)
-            points = np.array([sampling.grid_point(self._levels, i) for i in range(first, last)])
+            first, last = index * BATCH, min((index + 1) * BATCH, self.runs)
+            levels = [distribution.grid(self.levels) for distribution in vary.values()]
+            chosen = np.unravel_index(np.arange(first, last), [*map(len, levels)])  # the last changes fastest
+            points = np.column_stack([each[k] for each, k in zip(levels, chosen, strict=True)])
         else:
-            points = sampling.batch(self.sampling, self.study.seed, list(vary), self.runs, index)
+            points = batch(self.sampling, self.study.seed, list(vary), self.runs, index)
         columns = [distribution.quantiles(points[:, j]) for j, distribution in enumerate(vary.values())]
         return [dict(zip(vary, row, strict=True)) for row in zip(*columns, strict=True)]
-
-    @cached_property
-    def _levels(self) -> list[np.ndarray]:
-        return [distribution.grid(self.levels) for distribution in self.study.vary.values()]
 
     @cached_property
     def tree(self) -> dict[str, Any]:

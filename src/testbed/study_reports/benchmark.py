@@ -1,12 +1,22 @@
-"""What a benchmark found, as sections of words and tables, from its summary.json. Any number in it may be None."""
+"""What a benchmark found, as sections of words and tables, from its summary.json: as Markdown and as a page.
+
+Any number of the summary may be None.
+"""
 
 from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from testbed.reporting import html
+from testbed.reporting.html import Html, Part, tag
+from testbed.reporting.junit import Test
 from testbed.reporting.words import interval, number
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _FEW = 20
 """Draws below which nothing is said of a group: it would say little."""
@@ -45,6 +55,45 @@ def sections(summary: Summary) -> Iterator[Section]:
     yield from _halves(summary)
     yield from _reasons(summary)
     yield Section("What was flown", _flown(summary))
+
+
+def markdown(summary: Mapping[str, Any], heading: str = "##") -> list[str]:
+    """All sections, in lines."""
+    lines: list[str] = []
+    for section in sections(summary):
+        parts = [[f"{heading} {section.title}"] if section.title else [], [section.words] if section.words else [],
+                 [*_table(section.head, section.rows)]]  # fmt: skip
+        for part in filter(None, parts):
+            lines += [*([""] if lines else []), *part]
+    return lines
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    if head:
+        yield f"| {' | '.join(head)} |"
+        yield f"|{' --- |' * len(head)}"
+        yield from (f"| {' | '.join(each.replace('|', '/') for each in row)} |" for row in rows)
+
+
+def write_benchmark_page(summary: Mapping[str, Any], folder: Path) -> Path:
+    """Write report.html of a benchmark's folder; returns the file. Raises OSError when it cannot be written."""
+    title = f"Benchmark {summary['suite']} {summary['version']}"
+    facts = {"draws": str(summary["draws"]), "seed": str(summary["seed"])}
+    parts: list[Part] = [html.opening(title, [], facts), *map(_part, sections(summary))]
+    return html.write_page(folder / "report.html", title, parts)
+
+
+def _part(section: Section) -> Html:
+    title = tag("h2", _plain(section.title)) if section.title else None
+    words = tag("p", _plain(section.words)) if section.words else None
+    rows = (html.row(map(_plain, row)) for row in section.rows)
+    table = html.table(map(_plain, section.head), rows) if section.head else None
+    return html.joined([title, words, table], "\n")
+
+
+def _plain(text: str) -> str:
+    """Without the marks of Markdown."""
+    return text.replace("`", "").replace("*", "")
 
 
 def again(summary: Summary, draw: int | str, name: str) -> str:
@@ -263,3 +312,22 @@ def _interval(known: Summary, key: str = "estimate", form: str = ".3f") -> str:
 
 def _number(value: float | None) -> str:
     return number(value, ".3g", absent="")
+
+
+def tests_of_benchmark(summary: Mapping[str, Any], frame: pd.DataFrame) -> Iterator[Test]:
+    """A test of each flight, in the order of draws and controllers, which fails where it was not held."""
+    for row in frame.to_dict("records"):
+        said = row["reason"] or ("left its limits" if row["survived"] else f"lost: {row['outcome']}")
+        command = again(summary, row["draw"], row["controller"])
+        name = f"draw {row['draw']}, {row['controller']}"
+        yield Test(name) if row["held"] else Test(name, said, f"{_drawn(row)}\n{command}")
+
+
+def _drawn(row: Mapping[Any, Any]) -> str:
+    """What was drawn, and how far the flight strayed: a benchmark keeps no log of which a story could be told."""
+    about = ", ".join(f"{key} {row[key]}" for key in ("weather", "gust", "sensors", "failures", "course"))
+    inside = f"within its limits in {100 * row['inside']:.0f} % of the flight, which ended at {row['end_time_s']:g} s"
+    worst = (
+        f"{row['altitude_error_max_m']:.1f} m of altitude, {row['heading_error_max_deg']:.0f} deg of heading"
+    )
+    return f"{row['aircraft']}, {row['truth']}: {about}.\nWorst: {worst}; {inside}."

@@ -1,4 +1,7 @@
-"""The page of a failure matrix: a table of actuators by failures, in which each cell opens its flight and names its command."""
+"""The page of a failure matrix: a table of actuators by failures, in which each cell opens its flight and names its command.
+
+Each cell is a test, too (see `reporting.junit`).
+"""
 
 from __future__ import annotations
 
@@ -9,9 +12,10 @@ from typing import Any
 
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
+from testbed.reporting.junit import Test
 from testbed.studies.folder.logs import flight_label, in_file_names
-from testbed.studies.matrix.plan import MatrixPlan
-from testbed.study_reports.sweep.flight_page import FOLDER, only
+from testbed.studies.matrix import MatrixPlan
+from testbed.study_reports.sweep.flight_page import FOLDER, only, told
 
 Cell = Mapping[str, Any]
 
@@ -30,7 +34,8 @@ def _parts(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterat
         found = [cell for cell in cells if cell["against"] == against]
         if found:
             yield tag("h2", f"{against.capitalize()} than expected")
-            yield _listed(found)
+            shown = ("actuator", "failure", "severity", "weather", "controller", "result", "expected", "why")
+            yield html.listing(found, {key: itemgetter(key) for key in shown})
     for weather, label in dict.fromkeys((cell["weather"], cell["controller"]) for cell in cells):
         yield tag("h2", ", ".join(filter(None, [label, weather])))
         here = [cell for cell in cells if (cell["weather"], cell["controller"]) == (weather, label)]
@@ -46,11 +51,6 @@ def _verdict(summary: Mapping[str, Any]) -> Html:
     worse, better = summary["worse"], summary["better"]
     said = f"{worse} worse and {better} better than expected." if worse or better else "As expected."
     return tag("p", tag("strong", said), class_=f"verdict {'missed' if worse or better else 'met'}")
-
-
-def _listed(cells: Sequence[Cell]) -> Html:
-    shown = ("actuator", "failure", "severity", "weather", "controller", "result", "expected", "why")
-    return html.listing(cells, {key: itemgetter(key) for key in shown})
 
 
 def _table(plan: MatrixPlan, cells: Sequence[Cell], folder: Path) -> Html:
@@ -82,3 +82,17 @@ def _cell(plan: MatrixPlan, cell: Cell, folder: Path) -> Html:
         tag("p", html.link("the flight", page)) if (folder / page).is_file() else None,
         tag("pre", only(cell["run"], in_file_names(variant), "matrix.yaml")),
     )
+
+
+def tests_of_matrix(plan: MatrixPlan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
+    """A test of each cell, which fails where it is worse or better than expected."""
+    for cell in summary["cells"]:
+        shown = {**cell, "severity": f"{cell['severity']:g}"}
+        keys = ("actuator", "failure", "severity", "weather", "controller")
+        name = ", ".join(shown[key] for key in keys if shown[key])
+        if cell["against"] != "as expected":
+            said = f"{cell['result']}, expected {cell['expected']}: {cell['why'] or 'better'}"
+            label = plan.variant_of(cell["controller"])
+            yield Test(name, said, "" if cell["run"] is None else told(plan, cell["run"], label, folder))
+        else:
+            yield Test(name, skipped=cell["why"] if cell["run"] is None else "")

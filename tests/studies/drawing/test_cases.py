@@ -9,8 +9,7 @@ from sweep_files import SWEEP, fly_here, table, written
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import parse
-from testbed.studies.drawing.cases import read_cases
-from testbed.studies.load import load_sweep
+from testbed.studies.load import load_sweep, read_cases
 
 TABLE = "failures.0.value,failures.0.at_s,seed\n0.25,0.5,77\n0.75,,78\n1,0.1,\n"
 

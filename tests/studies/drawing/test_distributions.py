@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from scipy import stats
 
 from testbed.studies.drawing.distributions import Distribution, distribution_names
-from testbed.studies.drawing.sampling import batch as block
+from testbed.studies.drawing.distributions import batch as block
 
 DRAWS: list[tuple[dict[str, object], Any]] = [
     ({"uniform": [4, 10]}, stats.uniform(4, 6)),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.drawing.distributions import hashed
 
 
 def test_seeds_are_fit_for_the_engine() -> None:

@@ -22,9 +22,9 @@ import testbed
 from testbed.aircraft.shipped import find_aircraft
 from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
-from testbed.studies.flying import cluster as flying_cluster
-from testbed.studies.flying.cluster import fly_packed, pack, refuse_dead
+from testbed.studies.flying import pool as flying_pool
 from testbed.studies.flying.flight import Job, fly_task
+from testbed.studies.flying.pool import fly_packed, pack, refuse_dead
 from testbed.studies.load import load_sweep
 from testbed.studies.run import Options
 
@@ -81,8 +81,8 @@ def test_a_killed_scheduler_is_one_line(cluster: Cluster, tmp_path: Path, flight
 def test_a_cluster_whose_workers_are_gone_is_not_waited_for(
     cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(flying_cluster, "_WITHOUT_S", 2.0)
-    monkeypatch.setattr(flying_cluster, "_LOOK_S", 0.5)
+    monkeypatch.setattr(flying_pool, "_WITHOUT_S", 2.0)
+    monkeypatch.setattr(flying_pool, "_LOOK_S", 0.5)
 
     def kill_midway() -> None:
         while finished(tmp_path / "out") < 5:
@@ -100,8 +100,8 @@ def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Text that is no address, a closed port, a port that never says a word."""
-    monkeypatch.setattr("testbed.studies.flying.cluster._ANSWER_S", 1)
-    monkeypatch.setattr("testbed.studies.flying.cluster._ANSWER_S", 1)
+    monkeypatch.setattr("testbed.studies.flying.pool._ANSWER_S", 1)
+    monkeypatch.setattr("testbed.studies.flying.pool._ANSWER_S", 1)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         listening = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         for address in ("nonsense", "tcp://127.0.0.1:9", listening):

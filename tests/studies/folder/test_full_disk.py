@@ -14,8 +14,7 @@ from testbed.studies.flying.pool import serial
 from testbed.studies.folder.begin import begin
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
-from testbed.studies.run import Flights, Stopped
-from testbed.studies.sweep import fly_missing, fly_sweep
+from testbed.studies.run import Flights, Stopped, fly_missing, fly_sweep
 
 FLY = "sweep_flights:quick"
 STRIDE = 50_021

@@ -8,13 +8,13 @@ import numpy as np
 from handmade import flight_of, level_log
 
 from testbed.studies.folder import store
-from testbed.studies.folder.histories import (
+from testbed.studies.folder.logs import (
     CHANNELS,
     POINTS,
     RECORD_BYTES,
     SHAPE,
     history,
-    read,
+    read_histories,
     times_s,
 )
 from testbed.studies.record import Record, key_of
@@ -53,6 +53,6 @@ def test_a_history_is_found_by_its_number_whatever_was_written_first(tmp_path: P
     for k in (7, 2):
         flights.add(key_of(k), Record(k, 0, 1, {}, "completed", True), np.full(SHAPE, k, "<f4").tobytes())
     flights.close()
-    found = read(tmp_path, np.array([2, 7, 9]))
+    found = read_histories(tmp_path, np.array([2, 7, 9]))
     assert (found[0] == 2).all() and (found[1] == 7).all() and np.isnan(found[2]).all()
-    assert np.isnan(read(tmp_path / "none", np.array([0]))).all()
+    assert np.isnan(read_histories(tmp_path / "none", np.array([0]))).all()

@@ -22,7 +22,7 @@ from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store, table
 from testbed.studies.folder.table import groups_of, load
 from testbed.studies.load import load_sweep
-from testbed.studies.sweep import fly_sweep
+from testbed.studies.run import fly_sweep
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 from scipy import stats
 
 from testbed.studies.drawing.distributions import Distribution
-from testbed.studies.search.space import Coordinate, Origin, Space, origin_at
+from testbed.studies.search.plan import Coordinate, Origin, Space, origin_at
 
 DRAWS = np.random.default_rng(7).standard_normal(4000)
 CASES: list[tuple[dict[str, Any], Any]] = [

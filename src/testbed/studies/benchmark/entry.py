@@ -24,7 +24,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.studies.benchmark.load import law_sha256, load_suite
 from testbed.studies.benchmark.plan import Benchmark
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.drawing.distributions import hashed
 from testbed.studies.flying.flight import FLY
 from testbed.studies.flying.pool import workers
 from testbed.studies.folder.begin import begun_with

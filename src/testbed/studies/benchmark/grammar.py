@@ -13,7 +13,7 @@ from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.common.units import GRAVITY_M_S2
 from testbed.failures import TABLE as FAILURES
 from testbed.failures.base import travel_of
-from testbed.studies.benchmark.craft import placed
+from testbed.studies.benchmark.load import placed
 from testbed.studies.benchmark.model import SHARES, Craft, FailureEntry, Limits, Suite
 from testbed.studies.drawing.distributions import Distribution
 

@@ -1,15 +1,24 @@
-"""Read a suite's file, choose who flies it with which seed, and read back what a folder was begun with."""
+"""Read a suite's file, choose who flies it with which seed, find its aircraft, and read back what a folder was begun with.
+
+Aircraft that are adopted from JSBSim are kept in the user's cache folder, made when first needed.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import json
+import tempfile
 from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 
+from testbed.adoption.entry import adopt
 from testbed.aircraft.shipped import find_suite
+from testbed.common.private import private_folder
 from testbed.controllers.config import AnyController
 from testbed.controllers.user.own import OwnController, own_controllers, sha256_of
 from testbed.inputs import yaml_source as yamlfile
@@ -17,13 +26,15 @@ from testbed.inputs.base import Text, Whole
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
-from testbed.studies.benchmark.model import Suite
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.benchmark.model import Craft, Suite
+from testbed.studies.drawing.distributions import hashed
 
 _PACKAGE = Path(__file__).parents[2]
 _LAW = ("controllers", "aircraft/control_design.py")
 _OUTSIDE = ("controllers/external/", "controllers/user/")
 """Seams through which controllers of others come in: no shipped controller is flown by them."""
+_MADE_BY = ("adoption", "plant", "aircraft")
+"""Packages on which an adopted aircraft depends: with other code it is adopted again."""
 Compared = dict[str, Mapping[str, Any] | OwnController]
 """Controllers by name: settings of a shipped one, or one of the user's."""
 
@@ -124,3 +135,41 @@ def law_sha256() -> str:
 def seed_of(word: str) -> int:
     """The seed for a law that is frozen and a public word that was said afterwards, so that nobody can choose the draws for it."""
     return hashed(law_sha256(), word)
+
+
+@cache
+def hangar() -> Path:
+    """The folder of the adopted aircraft, for this version of JSBSim and of the program; raises BadInput for no place."""
+    digest = hashlib.sha256(version("jsbsim").encode())
+    for file in sorted(file for name in _MADE_BY for file in (_PACKAGE / name).rglob("*.py")):
+        digest.update(file.read_bytes())
+    # What is in there is flown as it is, so nobody else may have put it there.
+    folder = private_folder(f"adopted-{digest.hexdigest()[:16]}")
+    if folder is None:
+        what = "there is no place for adopted aircraft that this user alone can write to"
+        raise BadInput([Problem(what, expected="a home folder, or XDG_CACHE_HOME")])
+    return folder
+
+
+def beside() -> str:
+    """The file beside which the aircraft stand, as far as scenarios are concerned; there is no such file."""
+    return str(hangar() / "suite.yaml")
+
+
+def placed(name: str, craft: Craft) -> str:
+    """How a scenario in the folder `hangar` names an aircraft: the same on every machine."""
+    return name if craft.adopt is None else f"./{craft.adopt}"
+
+
+def provide(model: str) -> None:
+    """Adopt a model that the hangar does not have; raises BadInput if it cannot be adopted."""
+    folder = hangar() / model
+    if folder.is_dir():
+        return
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as partial:
+        made = adopt(model, Path(partial) / model).folder
+        try:
+            made.rename(folder)
+        except OSError as error:  # another process was first
+            if not folder.is_dir():
+                raise BadInput([]) from error

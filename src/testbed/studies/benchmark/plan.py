@@ -17,11 +17,11 @@ from testbed.controllers.user.own import OwnController
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import placed_name
-from testbed.studies.benchmark import craft
 from testbed.studies.benchmark.grammar import Dice, Drawn, drawn
+from testbed.studies.benchmark.load import beside, placed, provide
 from testbed.studies.benchmark.model import Draws, Suite
 from testbed.studies.drawing.builder import TYPE, Builder, Task, Variant
-from testbed.studies.drawing.sampling import hashed
+from testbed.studies.drawing.distributions import hashed
 from testbed.studies.plan import Plan
 
 _ATTEMPTS = 1000
@@ -36,13 +36,13 @@ class Flights(Builder):
         said = task.values["aircraft"]
         name = said if isinstance(said, str) else said["name"]
         if name.startswith("./"):
-            craft.provide(name.removeprefix("./"))
+            provide(name.removeprefix("./"))
         return super().scenario(task)
 
     def source(self, values: Mapping[str, Any], seed: int) -> Source:
         """As `Builder.source`, with the hangar of this machine."""
         source = super().source(values, seed)
-        source.file = craft.beside()
+        source.file = beside()
         return source
 
 
@@ -116,8 +116,8 @@ class Benchmark(Plan):
     def _placed(self, name: str) -> str:
         one = self.suite.aircraft[name]
         if one.adopt is not None:
-            craft.provide(one.adopt)
-        return placed_name(craft.placed(name, one), self.builder.base.file)
+            provide(one.adopt)
+        return placed_name(placed(name, one), self.builder.base.file)
 
     @cached_property
     def tree(self) -> dict[str, Any]:
@@ -162,11 +162,11 @@ def benchmark_of(
         for name, each in compared.items()
     )
     name, first = next(iter(suite.aircraft.items()))
-    tree = {"aircraft": craft.placed(name, first), "controller": next(iter(said["controllers"].values()))}
+    tree = {"aircraft": placed(name, first), "controller": next(iter(said["controllers"].values()))}
     return Benchmark(
         study=Draws(seed=seed, time_limit_s=suite.time_limit_s),
         name=f"benchmark {suite.suite} {seed}",
-        builder=Flights(Source(craft.beside(), tree), variants, {}, own),
+        builder=Flights(Source(beside(), tree), variants, {}, own),
         runs=draws,
         suite=suite,
         said=said,

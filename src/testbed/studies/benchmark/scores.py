@@ -24,7 +24,7 @@ from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.load import as_given
 from testbed.studies.benchmark.plan import Benchmark
-from testbed.studies.folder.histories import CHANNELS, RECORD_BYTES, SHAPE
+from testbed.studies.folder.logs import CHANNELS, RECORD_BYTES, SHAPE
 from testbed.studies.folder.store import NAME, Store
 from testbed.studies.folder.table import records
 from testbed.studies.record import NO_RESULT, Record, key_of

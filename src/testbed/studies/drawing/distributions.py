@@ -1,15 +1,23 @@
-"""Distributions of varied values. Each is used by its inverse, so that every sampling method works with it."""
+"""Points of the unit cube, seeds, and distributions of varied values, each used by its inverse, so that all methods work with it.
+
+Points and seeds are pure functions of the sweep's seed and the number of the run. Sobol and Halton sequences and independent
+draws can be continued: the first 1000 of 2000 runs are the runs of a sweep of 1000. A latin hypercube cannot be continued, because
+its points depend on their number.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import inspect
 import math
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from pydantic import Field, model_validator
 from scipy import special, stats
+from scipy.stats import qmc
 
 from testbed.inputs.base import Settings, refuse
 from testbed.inputs.problems import did_you_mean
@@ -251,3 +259,37 @@ def _finite(value: float) -> bool:
         return math.isfinite(value)
     except OverflowError:
         return False
+
+
+BATCH = 1024
+"""Number of points made at a time: a power of two, for which a Sobol sequence is balanced."""
+
+
+def hashed(*words: object) -> int:
+    """A seed of 31 bits from any words; never 0 or 1, which JSBSim takes for "no seed".
+
+    It is a hash, because JSBSim's random numbers from neighbouring seeds are correlated.
+    """
+    digest = hashlib.sha256("\0".join(map(str, words)).encode()).digest()
+    return 2 + int.from_bytes(digest[:8], "big") % (2**31 - 3)
+
+
+def batch(sampling: str, seed: int, names: Sequence[str], runs: int, index: int) -> np.ndarray:
+    """[BATCH, dimensions] points from number BATCH * index on; the last batch of a latin hypercube may have fewer.
+
+    Args:
+        names: the varied paths, one for each dimension.
+        runs: number of runs of the sweep, on which only a latin hypercube depends.
+    """
+    rng = np.random.default_rng(hashed(seed, "sampling"))
+    first = BATCH * index
+    if sampling == "latin_hypercube":
+        return np.asarray(qmc.LatinHypercube(len(names), rng=rng).random(runs)[first : first + BATCH])
+    if sampling == "random":
+        # Each value has its own stream, so that varying another does not change it.
+        streams = (np.random.default_rng(hashed(seed, "draw", name, index)) for name in names)
+        return np.column_stack([stream.random(BATCH) for stream in streams])
+    sequence = (qmc.Sobol if sampling == "sobol" else qmc.Halton)(len(names), rng=rng)
+    if first:
+        sequence.fast_forward(first)
+    return np.asarray(sequence.random(BATCH))

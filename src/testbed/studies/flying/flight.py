@@ -17,7 +17,6 @@ from testbed.parts import Parts, in_use
 from testbed.scenario.load import Scenario
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.folder import logs
-from testbed.studies.folder.histories import history
 from testbed.studies.record import Flown, Record
 
 Fly = Callable[[Scenario], Flight]
@@ -96,7 +95,7 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         ),
     )
     wanted = job.save_logs == "all" or (job.save_logs == "failed" and flight.passed is False)
-    return Flown(record, history(flight), logs.encode(flight) if wanted else b"")
+    return Flown(record, logs.history(flight), logs.encode(flight) if wanted else b"")
 
 
 def _number(value: Any) -> float:

@@ -26,9 +26,9 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import refuse_links
 from testbed.inputs.yaml_source import Source, describe
 from testbed.parts import digests
-from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
 from testbed.studies.folder.logs import runs_in
+from testbed.studies.load import LARGEST_TABLE
 from testbed.studies.plan import Plan
 from testbed.studies.record import MIXED
 

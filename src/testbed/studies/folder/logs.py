@@ -1,7 +1,8 @@
-"""A flight's whole log in a sweep folder: one Parquet file that can be read back as the flight, without the simulator.
+"""What is kept of a flight's course in a sweep folder: its whole log, and its error history of three errors at 200 times.
 
-Its columns are those of log.csv, in single precision to save space. Its metadata has the flight's scenario (YAML) and summary
-(JSON). For full precision `sweep --only` flies the flight again, bit for bit.
+A log is one Parquet file that can be read back as the flight, without the simulator. Its columns are those of log.csv, in single
+precision to save space. Its metadata has the flight's scenario (YAML) and summary (JSON). For full precision `sweep --only` flies
+the flight again, bit for bit.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
 from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
@@ -23,11 +25,23 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import json_of, read_table
 from testbed.inputs.yaml_source import Source, describe
 from testbed.scenario.load import Scenario, dump, scenario_from
+from testbed.studies.folder import store
+from testbed.studies.record import key_of
 
 _KEPT = "a log that a sweep kept"
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
 _LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
 """The name of a kept log: its run, and the label of its variant where variants are compared."""
+
+CHANNELS = {
+    "altitude_error_m": ("altitude_m", "altitude_command_m"),
+    "heading_error_deg": ("heading_deg", "heading_command_deg"),
+    "airspeed_error_m_s": ("airspeed_m_s", "airspeed_command_m_s"),
+}
+"""Name of the error: (signal, its reference), both columns of the log."""
+POINTS = 200
+SHAPE = (len(CHANNELS), POINTS)
+RECORD_BYTES = 4 * len(CHANNELS) * POINTS
 
 
 def encode(flight: Flight) -> bytes:
@@ -170,3 +184,34 @@ def log_file(folder: Path, run: int, variant: str) -> Path:
 def in_file_names(label: str) -> str:
     """The label of a variant as file names have it."""
     return "".join(c if c.isalnum() or c in "_-." else "-" for c in label)
+
+
+def times_s(duration_s: float) -> np.ndarray:
+    """[POINTS] times of the points [s] in a flight of this duration [s]."""
+    return np.arange(POINTS) * (duration_s / POINTS)
+
+
+def history(flight: Flight) -> bytes:
+    """A flight's history: [channels, points] little-endian float32, in the units of CHANNELS; NaN after the flight's end."""
+    result = np.full(SHAPE, np.nan, dtype="<f4")
+    if len(flight.data):
+        column = {name: flight.data[:, j] for j, name in enumerate(flight.columns)}
+        rows = np.searchsorted(column["time_s"], times_s(flight.scenario.duration_s) - 1e-9)
+        rows = rows[rows < len(flight.data)]
+        for j, (signal, command) in enumerate(CHANNELS.values()):
+            error = column[signal][rows] - column[command][rows]
+            if signal.startswith("heading"):
+                error = wrap_deg(error)
+            result[j, : len(rows)] = error
+    return result.tobytes()
+
+
+def read_histories(folder: Path, flights: np.ndarray) -> np.ndarray:
+    """[flights, channels, points] histories of a sweep's flights with these numbers; NaN for those that it does not have."""
+    result = np.full((len(flights), *SHAPE), np.nan, dtype=np.float32)
+    if store.exists(folder):
+        with store.reading(folder) as stored:
+            for row, k in enumerate(flights.tolist()):
+                if len(data := stored.history(key_of(k))) == RECORD_BYTES:
+                    result[row] = np.frombuffer(data, "<f4").reshape(SHAPE)
+    return result

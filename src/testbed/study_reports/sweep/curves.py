@@ -14,7 +14,7 @@ from testbed.common.statistics import proportion
 from testbed.reporting.panels import TRACKED, error_panel
 from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
-from testbed.studies.folder import histories
+from testbed.studies.folder import logs
 from testbed.studies.folder.logs import in_file_names, log_file
 from testbed.studies.folder.table import groups_of
 from testbed.studies.plan import Plan
@@ -43,15 +43,11 @@ def is_number(values: pd.Series) -> bool:
     return values.dtype.kind in "fiu" and values.nunique() > 1
 
 
-def is_choice(values: pd.Series) -> bool:
-    """Whether a varied value has names, more than one and few enough to be drawn."""
-    return values.dtype.kind not in "fiu" and 1 < values.astype(str).nunique() <= MOST_NAMES
-
-
 def drawn_inputs(frame: pd.DataFrame, paths: list[str]) -> list[str]:
-    """The varied values that can be drawn, those with numbers first."""
+    """The varied values that can be drawn, those with numbers first; of the others, those with more names than one, but few."""
     numbers = [path for path in paths if is_number(frame[path])]
-    return numbers + [path for path in paths if is_choice(frame[path])]
+    others = [path for path in paths if frame[path].dtype.kind not in "fiu"]
+    return numbers + [path for path in others if 1 < frame[path].astype(str).nunique() <= MOST_NAMES]
 
 
 def pass_shares(rows: pd.DataFrame, path: str) -> list[list[Any]]:
@@ -93,15 +89,15 @@ def error_band(folder: Path, flights: np.ndarray, channel: str, variants: int = 
     Args:
         folder: the sweep folder.
         flights: their numbers k (see `Plan.task`).
-        channel: one of `histories.CHANNELS`.
+        channel: one of `logs.CHANNELS`.
         variants: of each run.
     """
     every = -(-len(flights) // _MOST)
-    index = list(histories.CHANNELS).index(channel)
+    index = list(logs.CHANNELS).index(channel)
     sampled, largest, worst, number = [], -1.0, None, -1
     for first in range(0, len(flights), _CHUNK):
         chunk = flights[first : first + _CHUNK]
-        data = histories.read(folder, chunk)[:, index]
+        data = logs.read_histories(folder, chunk)[:, index]
         if channel.endswith("_deg"):
             data = unwrapped_deg(data)
         sampled.append(data[-first % every :: every])
@@ -131,12 +127,12 @@ def shares(plan: Plan, frame: pd.DataFrame) -> list[dict[str, Any]]:
 def errors(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
     """{title, linear, limits, times, variants} of each error whose histories there are: of each variant its band, or None."""
     duration_s = float(plan.builder.scenario(plan.task(0)).duration_s)
-    times, count = histories.times_s(duration_s), len(plan.variants)
+    times, count = logs.times_s(duration_s), len(plan.variants)
     groups = [rows["run"].to_numpy() * count + i for i, (_, rows) in enumerate(groups_of(plan, frame))]
     for quantity, drawn in TRACKED.items():
         channel = drawn.error
         bands = [error_band(folder, flights, channel, count) for flights in groups]
-        if any(band is not None and band["median"] != [None] * histories.POINTS for band in bands):
+        if any(band is not None and band["median"] != [None] * logs.POINTS for band in bands):
             yield {
                 "title": error_panel(quantity).heading,
                 "linear": drawn.linear,
@@ -150,7 +146,7 @@ def limits(
     requirements: Sequence[Requirement], channel: str, duration_s: float
 ) -> Iterator[dict[str, float]]:
     """{from_s, until_s, size} of the requirements on an error: on its largest value, or on its signal in a window."""
-    signal, reference = histories.CHANNELS[channel]
+    signal, reference = logs.CHANNELS[channel]
     metric = channel.replace("_error_", "_error_max_")
     for requirement in requirements:
         if requirement.eventually or requirement.never_for_longer_than_s:
@@ -170,7 +166,9 @@ def rounded(value: float | None) -> float | None:
 def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, Any]:
     """Everything that the script draws and lists, as JSON's types (NaN becomes None)."""
     groups = list(groups_of(plan, frame))
-    shown = _first_runs(frame, len(plan.variants))
+    # The flights of the first runs, so many that the page stays small.
+    runs = frame["run"].drop_duplicates().sort_values().head(max(MOST_FLIGHTS // len(plan.variants), 1))
+    shown = frame[frame["run"].isin(runs)]
     return {
         "folder": folder.name,
         "variants": [label for label, _ in groups],
@@ -188,12 +186,6 @@ def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, A
         "shares": shares(plan, frame),
         "errors": list(errors(plan, frame, folder)),
     }
-
-
-def _first_runs(frame: pd.DataFrame, variants: int) -> pd.DataFrame:
-    """The flights of the first runs, so many that the page stays small."""
-    most = frame["run"].drop_duplicates().sort_values().head(max(MOST_FLIGHTS // variants, 1))
-    return frame[frame["run"].isin(most)]
 
 
 def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:

@@ -14,8 +14,7 @@ from testbed.reporting.palette import COLOURS, MET, MISSED, nth
 from testbed.reporting.words import passing, setting
 from testbed.studies.folder.table import groups_of
 from testbed.studies.plan import Plan
-from testbed.studies.sensitivity import sensitivity
-from testbed.studies.summary import requirement_shares
+from testbed.studies.summary import requirement_shares, sensitivity
 from testbed.studies.verdicts import judged, requirements_of, state
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 from testbed.study_reports.sweep.curves import errors, is_number, shares

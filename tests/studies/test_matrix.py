@@ -15,8 +15,7 @@ from testbed.aircraft.description import load_aircraft
 from testbed.api import matrix
 from testbed.failures import TABLE
 from testbed.inputs.problems import BadInput
-from testbed.studies.matrix.load import load_matrix
-from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.matrix import MatrixPlan, load_matrix
 
 WEAK = {"type": "effectiveness", "value": 0.2}
 """With half of its severity 0.6 is left, with which the made-up flights pass."""

@@ -1,5 +1,6 @@
-"""Ctrl-C: one line and exit status 130, whenever it comes. SIGTERM and SIGHUP, as of a scheduler or a closed terminal, do the same.
+"""How a command ends: its exit status, as docs/reference/command_line.md says to users, and Ctrl-C.
 
+Ctrl-C is one line and exit status 130, whenever it comes. SIGTERM and SIGHUP, as of a scheduler or a closed terminal, do the same.
 A KeyboardInterrupt in the middle of an import, in a callback of a weak reference, or in code that numba calls while it
 compiles, may be swallowed, and one in a callback of native code may come out as another exception. So, until something is being
 written, Ctrl-C ends the process by itself, at once; nothing has to be tidied up. After that, an interrupt that was swallowed is
@@ -14,7 +15,16 @@ import signal
 import sys
 from collections.abc import Iterator
 
-from testbed.cli.status import INTERRUPTED, Ended
+MET = 0
+"""Every requirement was met, or the command has none."""
+NOT_MET = 1
+"""Flown, but a requirement was not met or the aircraft was lost."""
+BAD_INPUT = 2
+"""Bad input: nothing was flown or written."""
+ENDED_EARLY = 3
+"""The command could not be carried out to its end, as on a full disk; what a sweep has flown is kept."""
+INTERRUPTED = 130
+"""Ctrl-C, or SIGTERM or SIGHUP: 128 and the number of the signal SIGINT, as shells have it."""
 
 WORDS = "interrupted"
 
@@ -22,6 +32,14 @@ _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 _AGAIN_S = 0.01
 """An interrupt that was swallowed is sent again after this time, when the callback that swallowed it has returned."""
+
+
+class Ended(Exception):
+    """A command could not be carried out to its end: what to say on stderr, and the exit status."""
+
+    def __init__(self, words: str, status: int) -> None:
+        super().__init__(words)
+        self.status = status
 
 
 def end_at_once() -> None:
