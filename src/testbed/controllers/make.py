@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from testbed.controllers import Controller
+from testbed.controllers.augmentation import l1_inversion, mrac
 from testbed.controllers.estimators import imm_inversion, rls_inversion
 from testbed.controllers.indi import adaptive_indi, indi
 from testbed.controllers.informed import InformedController
 from testbed.controllers.inversion.controller import InversionController, fixed_inversion
-from testbed.controllers.l1 import l1_inversion
-from testbed.controllers.mrac import mrac
 from testbed.controllers.pid import pid
 from testbed.controllers.setup import Setup
 from testbed.controllers.user.adapter import adapted
