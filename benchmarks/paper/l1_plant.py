@@ -8,7 +8,7 @@ import numpy as np
 from paper.decoupling import REACHED
 from paper.ideal import UNLIMITED, IdealLoop, IdealPlant, Tuning
 from testbed.common.jit import compiled
-from testbed.controllers.l1 import adapt_fast, low_pass_channel
+from testbed.controllers.augmentation import adapt_fast, low_pass_channel
 from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 
 ACTUATORS = 4
@@ -16,7 +16,7 @@ ACTUATORS = 4
 
 @compiled
 def l1_loop(truth, noise, models, settings, modes, memories, e, effects):
-    """`controllers.l1` on ideal actuators with B_mc = I, one row of truth and noise per step; fills effects [steps, 4]."""
+    """`l1_inversion` on ideal actuators with B_mc = I, one row of truth and noise per step; fills effects [steps, 4]."""
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     for step in range(len(truth)):
         low_pass_channel(m, c, k, s)

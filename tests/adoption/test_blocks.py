@@ -3,8 +3,7 @@
 import xml.etree.ElementTree as ET
 
 from testbed.adoption.blocks import engine_block, prefix_of, servo_block
-from testbed.adoption.controls import Reading, Surface
-from testbed.adoption.propulsors import PISTON, TURBINE, Propulsor
+from testbed.adoption.controls import PISTON, TURBINE, Propulsor, Reading, Surface
 from testbed.injection.receipt import MOTOR, SERVO
 
 _SERVO = [name for name in SERVO if "malfunction" not in name]  # which JSBSim makes itself

@@ -5,8 +5,7 @@ import pytest
 
 from testbed.adoption.bench import Bench, write
 from testbed.adoption.blocks import cut, prefix_of
-from testbed.adoption.controls import find_surfaces
-from testbed.adoption.propulsors import find_propulsors, write_engines
+from testbed.adoption.controls import find_propulsors, find_surfaces, write_engines
 from testbed.adoption.source import find_source, package_root, read_whole
 from testbed.adoption.wiring import STICKS
 

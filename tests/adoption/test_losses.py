@@ -2,7 +2,7 @@
 
 import math
 
-from testbed.adoption.card import Kept, losses
+from testbed.adoption.adopt import Kept, losses
 from testbed.aircraft.description import load_aircraft
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, trim

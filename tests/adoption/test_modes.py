@@ -1,6 +1,6 @@
 """Modes of motion of the v-tail's design model."""
 
-from testbed.adoption.card import Motion, modes_of
+from testbed.adoption.adopt import Motion, modes_of
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 

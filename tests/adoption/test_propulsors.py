@@ -2,7 +2,7 @@
 
 import pytest
 
-from testbed.adoption.propulsors import engine_files, find_propulsors
+from testbed.adoption.controls import engine_files, find_propulsors
 from testbed.adoption.source import find_source, package_root, read_whole
 
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import kstest
 
 from testbed.air.config import PARTS, Noise
-from testbed.air.noise import cosine, white_noise, window_of
+from testbed.air.turbulence import cosine, white_noise
 
 RATE, STEPS = 100, 400
 
@@ -53,7 +53,7 @@ def test_parts_are_independent_and_from_the_seed() -> None:
 )
 def test_window(window: dict[str, float], steps: tuple[int, int]) -> None:
     """It may end after the flight."""
-    assert window_of(Noise(**window), RATE, STEPS) == steps
+    assert Noise(**window).window(RATE, STEPS) == steps
 
 
 def test_a_shorter_flight_has_the_beginning_of_the_noise_of_a_longer_one() -> None:

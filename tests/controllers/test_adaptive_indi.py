@@ -9,8 +9,8 @@ import pytest
 from short_flights import scenario, worst_errors
 from vtail_setup import records_of, vtail_setup
 
-from testbed.controllers.adaptive_indi import adaptive_indi, learn, weigh
 from testbed.controllers.config import AdaptiveIndiSettings
+from testbed.controllers.indi import adaptive_indi, learn, weigh
 from testbed.controllers.inversion.modes import allocation_of
 from testbed.metrics import readings
 from testbed.simulation import fly

@@ -11,7 +11,7 @@ from short_flights import scenario
 from vtail_setup import records_of, vtail_setup
 
 from testbed.controllers.config import ImmInversionSettings
-from testbed.controllers.imm import LOST, PARTIAL, RECOVERED, bank_dtype, begin, conclude, mix, update
+from testbed.controllers.estimators import LOST, PARTIAL, RECOVERED, bank_dtype, begin, conclude, mix, update
 from testbed.metrics import readings
 from testbed.simulation import fly
 

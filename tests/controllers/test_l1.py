@@ -10,8 +10,14 @@ import pytest
 from short_flights import scenario, worst_errors
 from vtail_setup import Records, records_of, vtail_setup
 
+from testbed.controllers.augmentation import (
+    adapt_fast,
+    fast_settings,
+    forget_lost,
+    l1_inversion,
+    low_pass_channel,
+)
 from testbed.controllers.config import L1InversionSettings
-from testbed.controllers.l1 import adapt_fast, fast_settings, forget_lost, l1_inversion, low_pass_channel
 from testbed.inputs.problems import BadInput
 from testbed.metrics import readings
 from testbed.simulation import fly

@@ -10,8 +10,8 @@ import pytest
 from short_flights import scenario, worst_errors
 from vtail_setup import vtail_setup
 
+from testbed.controllers.augmentation import adapt_row, mrac, unknown
 from testbed.controllers.config import MracSettings
-from testbed.controllers.mrac import adapt_row, mrac, unknown
 from testbed.simulation import fly
 
 DT = 0.005

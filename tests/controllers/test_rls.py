@@ -11,8 +11,8 @@ from short_flights import scenario
 from vtail_setup import records_of, vtail_setup
 
 from testbed.controllers.config import RlsInversionSettings
+from testbed.controllers.estimators import forget
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, UNKNOWN_VARIANCE, update_by_rate
-from testbed.controllers.rls import forget
 from testbed.metrics import readings
 from testbed.simulation import fly
 

@@ -9,9 +9,9 @@ from scipy import stats
 
 from testbed.reliability import failure_probability
 from testbed.reliability.adaptive import ROUND
+from testbed.reliability.importance import Rounds
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
-from testbed.reliability.weighing import Rounds
 
 MIXTURE = Mixture(
     np.linalg.qr(np.random.default_rng(3).standard_normal((5, 2)))[0],

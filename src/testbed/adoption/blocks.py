@@ -8,8 +8,7 @@ import copy
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence
 
-from testbed.adoption.controls import Reading, Surface, places_read
-from testbed.adoption.propulsors import ELECTRIC, PISTON, Propulsor
+from testbed.adoption.controls import ELECTRIC, PISTON, Propulsor, Reading, Surface, places_read
 from testbed.adoption.source import FOREIGN
 from testbed.adoption.wiring import bare
 

@@ -11,6 +11,7 @@ from typing import Literal
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
+from testbed.common.signals import first_step_at
 from testbed.common.units import METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, after, refuse
 
@@ -70,7 +71,7 @@ class TurbulenceChange(Settings):
 
 
 class Noise(Settings):
-    """The first coefficients of the noise that drives `dryden` turbulence in a window of time (see `noise`).
+    """The first coefficients of the noise that drives `dryden` turbulence in a window of time.
 
     Each is a standard normal in a flight in which it is not given. So a sweep or a search that draws them as
     `{normal: [0, 1]}` draws from the same turbulence, and moves it smoothly.
@@ -90,6 +91,11 @@ class Noise(Settings):
     """Those of the air that rotates about the x axis."""
 
     _after_start = field_validator("until_s")(after("from_s"))
+
+    def window(self, rate_hz: int, steps: int) -> tuple[int, int]:
+        """First control step of the window, and the step after its last, which may be after the flight's end."""
+        end = steps if self.until_s is None else first_step_at(self.until_s, rate_hz)
+        return first_step_at(self.from_s, rate_hz), end
 
 
 class Atmosphere(Settings):

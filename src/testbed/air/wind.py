@@ -155,13 +155,11 @@ class Weather:
                 north + share * velocity[0], east + share * velocity[1], down + share * velocity[2],
             )  # fmt: skip
             if i == self._settled and since_s > rise_s and share in (0.0, 1.0):
-                self._settle(north, east, down, time_s - since_s + rise_s + hold_s if share else math.inf)
+                # It changes no more until then, as those before it: they need not be summed in each step.
+                until_s = time_s - since_s + rise_s + hold_s if share else math.inf
+                self._settled += 1
+                self._held, self._held_until_s = (north, east, down), min(self._held_until_s, until_s)
         return np.array([north, east, down])
-
-    def _settle(self, north: float, east: float, down: float, until_s: float) -> None:
-        """Add the first gust that changes to those that do not change until then: they need not be summed in each step."""
-        self._settled += 1
-        self._held, self._held_until_s = (north, east, down), min(self._held_until_s, until_s)
 
     def _begin(self, i: int, gust: Gust) -> tuple[float, float, list[float]]:
         """Rise and hold [s] and full velocity [m/s, north, east, down] of a gust that begins now."""

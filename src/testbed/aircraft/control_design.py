@@ -136,7 +136,16 @@ class RegulatorWeights(Settings):
     """Largest acceptable deviation of an actuator from its trim position, in units of its `scale`."""
 
 
-class AllocationWeights(Settings):
+class PerRate(Settings):
+    """A number for each controlled rate."""
+
+    p_dot: Positive = DERIVED
+    q_dot: Positive = DERIVED
+    r_dot: Positive = DERIVED
+    u_dot: Positive = DERIVED
+
+
+class AllocationWeights(PerRate):
     """Weights of the least squares that says what gives way when actuators reach their stops: of a miss of each rate
     [1 per rad/s2; u_dot 1 per m/s2], and of a deviation from the trim positions [1 per unit of an actuator's `scale`].
 
@@ -144,32 +153,19 @@ class AllocationWeights(Settings):
     an axis weighs 1 per rad/s2, or less where it has more authority than a more important one: in units of authority, its miss
     never counts for more."""
 
-    p_dot: Positive = DERIVED
-    q_dot: Positive = DERIVED
-    r_dot: Positive = DERIVED
     u_dot: Positive = 0.15
     deviation: Positive = 0.001
 
 
-class GustDensity(Settings):
+class GustDensity(PerRate):
     """Disturbance of each rate by gusts that the design model does not predict, as the root of its two-sided spectral density
     [rad/s2 per sqrt(Hz); u_dot m/s2 per sqrt(Hz)]; by default from the design model's derivatives by angle of attack, sideslip
     and roll rate."""
 
-    p_dot: Positive = DERIVED
-    q_dot: Positive = DERIVED
-    r_dot: Positive = DERIVED
-    u_dot: Positive = DERIVED
 
-
-class TrimModelError(Settings):
+class TrimModelError(PerRate):
     """Standard deviation of the design model's error in each rate at its own trim [rad/s2; u_dot m/s2]; by default that of 0.005
     rad of angle of attack and of sideslip, and 0.1 m/s2."""
-
-    p_dot: Positive = DERIVED
-    q_dot: Positive = DERIVED
-    r_dot: Positive = DERIVED
-    u_dot: Positive = DERIVED
 
 
 class ControlDesign(Settings):

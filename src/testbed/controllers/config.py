@@ -368,7 +368,7 @@ TABLE: dict[str, type[ControllerSettings]] = {
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 
-SAYS = ESTIMATES, FLAGS = "effectiveness_estimate", "failed"
+ESTIMATES, FLAGS = "effectiveness_estimate", "failed"
 """What a controller may say of its actuators, by the ends of the log's columns."""
 _SAYS = {
     "adaptive_indi": {ESTIMATES},

@@ -51,7 +51,10 @@ def model_record(setup: Setup) -> np.ndarray:
         if isinstance(propulsor, Propulsor):
             _fill_motor(m, i, propulsor, model)
         elif isinstance(propulsor, EngineMap):
-            _fill_engine(m, i, propulsor)
+            p = propulsor
+            m.engine[i], m.throttles[i], m.speeds[i] = True, p.throttles, p.speeds
+            m.thrust_map[i], m.rising_map[i] = np.array(p.thrust) / scale[i], p.rising / scale[i]
+            m.engine_lag[i], m.rise[i], m.fall[i] = p.lag_rad_s, p.rise_s, p.fall_s
     return record
 
 
@@ -65,12 +68,6 @@ def _fill_motor(m: np.record, i: int, p: Propulsor, model: DesignModel) -> None:
     m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
     m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
     m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
-
-
-def _fill_engine(m: np.record, i: int, p: EngineMap) -> None:
-    m.engine[i], m.throttles[i], m.speeds[i] = True, p.throttles, p.speeds
-    m.thrust_map[i], m.rising_map[i] = np.array(p.thrust) / m.scale[i], p.rising / m.scale[i]
-    m.engine_lag[i], m.rise[i], m.fall[i] = p.lag_rad_s, p.rise_s, p.fall_s
 
 
 def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) -> np.ndarray:

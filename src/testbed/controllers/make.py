@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from testbed.controllers import Controller
-from testbed.controllers.adaptive_indi import adaptive_indi
-from testbed.controllers.imm import imm_inversion
-from testbed.controllers.indi import indi
+from testbed.controllers.augmentation import l1_inversion, mrac
+from testbed.controllers.estimators import imm_inversion, rls_inversion
+from testbed.controllers.indi import adaptive_indi, indi
 from testbed.controllers.informed import InformedController
 from testbed.controllers.inversion.controller import InversionController, fixed_inversion
-from testbed.controllers.l1 import l1_inversion
-from testbed.controllers.mrac import mrac
 from testbed.controllers.pid import pid
-from testbed.controllers.rls import rls_inversion
 from testbed.controllers.setup import Setup
 from testbed.controllers.user.adapter import adapted
 from testbed.controllers.user.loader import Factory

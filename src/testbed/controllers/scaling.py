@@ -15,7 +15,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from testbed.aircraft.control_design import LOOP_GAINS, ControlDesign, Loops
+from testbed.aircraft.control_design import LOOP_GAINS, ControlDesign
 from testbed.aircraft.design_model import COLUMNS, ROWS, DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
@@ -63,6 +63,7 @@ _THRUST_SHARE = 0.5
 """Share of the excess thrust that a climb may use."""
 
 S = TypeVar("S", bound=Settings)
+_scaled: Cache[ControlDesign] = Cache(32)
 
 
 def scaled(
@@ -79,39 +80,29 @@ def scaled(
         lags: [n] corners of the actuators' lags [rad/s].
         released: axes that are given up from the start.
     """
-    key = (control.model_dump_json(), model, limits.tobytes(), tuple(lags), tuple(released))
-    return _scaled.get(key, lambda: _computed(control, model, limits, lags, released))
 
-
-_scaled: Cache[ControlDesign] = Cache(32)
-
-
-def _computed(
-    control: ControlDesign,
-    model: DesignModel,
-    limits: np.ndarray,
-    lags: Sequence[float],
-    released: Sequence[str],
-) -> ControlDesign:
-    v, weights = model.airspeed_m_s, control.regulator
-    kept = [axis for axis in RATES if axis not in released]
-    authority = {each.axis: each.authority for each in authorities(model, limits, kept, range(len(lags)))}
-    states = {"airspeed": _AIRSPEED_SHARE * v, "altitude": v / 12.0}
-    regulator = {
-        "states": _completed(weights.states, states),
-        "integrals": _completed(weights.integrals, {"airspeed": v / 3.6, "altitude": v / 3.6}),
-    }
-    return control.model_copy(
-        update={
-            "loops": _completed(
-                control.loops, {**_loops(model, limits, lags, authority), **_lost_thrust(control.loops, v)}
-            ),
-            "allocation": _completed(control.allocation, _allocation(authority, control.priorities)),
-            "regulator": weights.model_copy(update=regulator),
-            "disturbance": _completed(control.disturbance, _by_rate(gust_density(model))),
-            "model_error_std": _completed(control.model_error_std, _by_rate(model_error_std(model))),
+    def computed() -> ControlDesign:
+        v, weights = model.airspeed_m_s, control.regulator
+        kept = [axis for axis in RATES if axis not in released]
+        authority = {each.axis: each.authority for each in authorities(model, limits, kept, range(len(lags)))}
+        states = {"airspeed": _AIRSPEED_SHARE * v, "altitude": v / 12.0}
+        regulator = {
+            "states": _completed(weights.states, states),
+            "integrals": _completed(weights.integrals, {"airspeed": v / 3.6, "altitude": v / 3.6}),
         }
-    )
+        loops = _loops(model, limits, lags, authority, control.loops.lost_thrust_height_m)
+        return control.model_copy(
+            update={
+                "loops": _completed(control.loops, loops),
+                "allocation": _completed(control.allocation, _allocation(authority, control.priorities)),
+                "regulator": weights.model_copy(update=regulator),
+                "disturbance": _completed(control.disturbance, _by_rate(gust_density(model))),
+                "model_error_std": _completed(control.model_error_std, _by_rate(model_error_std(model))),
+            }
+        )
+
+    key = (control.model_dump_json(), model, limits.tobytes(), tuple(lags), tuple(released))
+    return _scaled.get(key, computed)
 
 
 def gust_density(model: DesignModel) -> np.ndarray:
@@ -153,10 +144,17 @@ def excess_u_dot(model: DesignModel, limits: np.ndarray) -> float:
 
 
 def _loops(
-    model: DesignModel, limits: np.ndarray, lags: Sequence[float], authority: Mapping[str, float]
+    model: DesignModel,
+    limits: np.ndarray,
+    lags: Sequence[float],
+    authority: Mapping[str, float],
+    lost_thrust_height_m: float,
 ) -> dict[str, float]:
     """Gains and limits of the outer loops, as `Loops`."""
     v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
+    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * lost_thrust_height_m) - v
+    lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]  # by angle of attack, per mass
+    path_lag = v / max(lift, 1e-3)  # with which the flight path follows pitch [s]
     gains = _gains(model, authority, lags)
     climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
     return {
@@ -164,11 +162,13 @@ def _loops(
         "altitude_ki": gains["altitude_ki"] / v,
         "u_dot_max": min(_U_DOT_MAX, max(_U_DOT_SHARE * authority.get("u_dot", math.inf), 0.05)),
         "climb_max": climb,
-        "climb_kp": max(path_lag(model) / _PATH_LAG_S - 1.0, 0.0),
+        "climb_kp": max(path_lag / _PATH_LAG_S - 1.0, 0.0),
         "altitude_error_max_m": v / 3.6,
         "airspeed_error_max_m_s": v / 9.0,
         "protect_from_m_s": v / 9.0,
         "fast_climb_s": v / 36.0,
+        "lost_thrust_faster_m_s": faster,
+        "lost_thrust_protect_from_m_s": faster,
     }
 
 
@@ -184,12 +184,6 @@ def _allocation(authority: Mapping[str, float], priorities: Sequence[str]) -> di
             least = min(least, own)
             weights[axis] = least / own
     return weights
-
-
-def path_lag(model: DesignModel) -> float:
-    """Time constant with which the flight path follows pitch [s]: airspeed over lift by angle of attack per mass."""
-    lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]
-    return model.airspeed_m_s / max(lift, 1e-3)
 
 
 def _gains(model: DesignModel, authority: Mapping[str, float], lags: Sequence[float]) -> dict[str, float]:
@@ -214,12 +208,6 @@ def _dampings(model: DesignModel) -> dict[str, float]:
     """
     places = {"p_kp": (P_DOT, D_P), "q_kp": (Q_DOT, D_Q), "r_kp": (R_DOT, D_R)}
     return {name: -model.derivatives[row][column] for name, (row, column) in places.items()}
-
-
-def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
-    """How much faster is flown when one propeller of several remains, and from where altitude is given up [m/s]."""
-    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * loops.lost_thrust_height_m) - v
-    return {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
 
 
 def _pace(authority: float, demand: float) -> float:

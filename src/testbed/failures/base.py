@@ -167,6 +167,11 @@ class ActuatorFailure(Failure):
         tail = servo if motor is None or self.is_servo(aircraft) else motor
         return f"{aircraft.actuators[self.actuator].prefix}/{tail}"
 
+    def override(self, aircraft: Aircraft, value: float | Capture) -> dict[str, float | Capture]:
+        """The properties by which servo or throttle are told this value in place of their commands [rad or throttle]."""
+        override = self.name(aircraft, "override-rad", "override-norm")
+        return {self.name(aircraft, "override-active"): 1.0, override: value}
+
     def inside(self, aircraft: Aircraft, value: float) -> float:
         """A value in the actuator's own unit, converted to that of the JSBSim model: radians for a servo, else throttle."""
         return math.radians(value) if self.is_servo(aircraft) else value

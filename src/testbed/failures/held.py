@@ -71,8 +71,7 @@ class Stuck(ActuatorFailure):
         if self.is_servo(aircraft):
             # With JSBSim's own malfunction the position freezes at once. An override would move on through the servo's lag.
             return {self.name(aircraft, "servo/malfunction/fail_stuck"): 1.0}
-        held = Capture(self.name(aircraft, "throttle-norm"))
-        return {self.name(aircraft, "override-active"): 1.0, self.name(aircraft, "override-norm"): held}
+        return self.override(aircraft, Capture(self.name(aircraft, "throttle-norm")))
 
 
 class StuckAt(ActuatorFailure):
@@ -85,9 +84,7 @@ class StuckAt(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
-        value = self.inside(aircraft, self.value)
-        override = self.name(aircraft, "override-rad", "override-norm")
-        return {self.name(aircraft, "override-active"): 1.0, override: value}
+        return self.override(aircraft, self.inside(aircraft, self.value))
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         return self.outside(aircraft, "value", *self.travel(aircraft))
@@ -107,9 +104,7 @@ class Hardover(ActuatorFailure):
         return "ran at full throttle" if self.to == "max" else "ran at its lowest throttle"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
-        stop = self.inside(aircraft, self.travel(aircraft)[self.to == "max"])
-        override = self.name(aircraft, "override-rad", "override-norm")
-        return {self.name(aircraft, "override-active"): 1.0, override: stop}
+        return self.override(aircraft, self.inside(aircraft, self.travel(aircraft)[self.to == "max"]))
 
 
 class Float(ActuatorFailure):

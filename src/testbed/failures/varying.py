@@ -84,9 +84,7 @@ class Runaway(ActuatorFailure):
         return f"moved to its {stop_words(self.to)} at {self.rate:g} {unit}/s"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
-        override = self.name(aircraft, "override-rad", "override-norm")
-        here = Capture(self.name(aircraft, "servo-rad", "throttle-norm"))
-        return {self.name(aircraft, "override-active"): 1.0, override: here}
+        return self.override(aircraft, Capture(self.name(aircraft, "servo-rad", "throttle-norm")))
 
     def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
         name = self.name(aircraft, "override-rad", "override-norm")

@@ -171,7 +171,7 @@ class Plant:
         self._wind = np.zeros(3)
         self._started = False
         self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
-        rotation = [self.setter(name) if self.has(name) else _no_put for name in ROTATION]
+        rotation = [self.setter(name) if self.has(name) else lambda _: False for name in ROTATION]
         self.blow = _together(*self._put_wind, *rotation)
         self.air_factors = np.array([1.0 / METRES_PER_FOOT] * 3 + [1.0] * 3)
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
@@ -345,11 +345,6 @@ class Plant:
 
     def __setitem__(self, name: str, value: float) -> None:
         self.setter(name)(value)
-
-
-def _no_put(_: float) -> bool:
-    """The setter of a property that the model lacks."""
-    return False
 
 
 def _together(*setters: Callable[[float], bool]) -> Callable[[Iterable[float]], None]:

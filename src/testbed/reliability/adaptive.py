@@ -13,12 +13,12 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from testbed.common.statistics import CONFIDENCE
+from testbed.reliability.importance import Rounds, effective_size, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
-from testbed.reliability.weighing import Rounds, effective_size, regions_missed
 
 ROUND = 500
 LEAST = 3 * ROUND

@@ -183,7 +183,7 @@ def _spread_out(along: np.ndarray, weights: np.ndarray, k: int, random: np.rando
 def _likeliest(basis: np.ndarray, along: np.ndarray, parts: np.ndarray, effective: float) -> Mixture:
     """The components that these parts [k, n] of the points make likeliest; one with fewer than two points is left out.
 
-    Covariances are drawn to 1, as by r + 2 points more, and are at least NARROWEST.
+    Covariances are drawn to 1, as by r + 2 points more, and are at least NARROWEST in all directions.
     """
     parts = parts[parts.sum(axis=1) * effective > 2] if len(parts) > 1 else parts
     if not len(parts):
@@ -194,11 +194,7 @@ def _likeliest(basis: np.ndarray, along: np.ndarray, parts: np.ndarray, effectiv
     for part, total, mean in zip(parts, sums, means, strict=True):
         apart = along - mean
         spread = effective * (part[:, None] * apart).T @ apart
-        covariances.append(_not_narrow((spread + (r + 2) * np.eye(r)) / (effective * total + r + 2)))
+        drawn = (spread + (r + 2) * np.eye(r)) / (effective * total + r + 2)
+        variances, directions = np.linalg.eigh(drawn)
+        covariances.append((directions * np.maximum(variances, NARROWEST)) @ directions.T)
     return Mixture(basis, sums / sums.sum(), means, np.array(covariances))
-
-
-def _not_narrow(covariance: np.ndarray) -> np.ndarray:
-    """The covariance with variances of at least NARROWEST in all directions."""
-    variances, directions = np.linalg.eigh(covariance)
-    return np.asarray((directions * np.maximum(variances, NARROWEST)) @ directions.T)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from testbed.air.config import PARTS
-from testbed.air.noise import window_of
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import GROUND_M, first_step_at
 from testbed.common.text import with_article
@@ -246,7 +245,7 @@ def _noise(scenario: Scenario) -> Iterator[Issue]:
     noise = scenario.atmosphere.noise
     if noise is None or scenario.rate_hz <= 1:
         return
-    first, end = window_of(noise, scenario.rate_hz, scenario.steps)
+    first, end = noise.window(scenario.rate_hz, scenario.steps)
     if end > MAX_STEPS:
         until_s = scenario.duration_s if noise.until_s is None else noise.until_s
         what = f"{until_s:g} s is control step {end}"

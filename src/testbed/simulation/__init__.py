@@ -9,14 +9,14 @@ if TYPE_CHECKING:
     from testbed.simulation.assembly import Assembly as Assembly
     from testbed.simulation.assembly import assemble as assemble
     from testbed.simulation.assembly import start_and_setup as start_and_setup
-    from testbed.simulation.entry import fly as fly
     from testbed.simulation.session import Session as Session
+    from testbed.simulation.session import fly as fly
 
 _MODULES = {
     "Assembly": "assembly",
     "Session": "session",
     "assemble": "assembly",
-    "fly": "entry",
+    "fly": "session",
     "start_and_setup": "assembly",
 }
 

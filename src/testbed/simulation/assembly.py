@@ -82,7 +82,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     plant = Plant(
         aircraft, scenario.physics_hz, scenario.physics_steps, scenario.atmosphere.is_own_turbulence
     )
-    start = _start(scenario, aircraft)
+    start = trimmed_start(aircraft, *start_of(scenario))
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     begin_at(plant, start)
     weather.begin()
@@ -125,15 +125,10 @@ def without_what_fails(scenario: Scenario) -> dict[str, Any]:
     return said
 
 
-def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
-    """Trimmed flight at the scenario's initial condition."""
-    return trimmed_start(aircraft, *start_of(scenario))
-
-
 def start_and_setup(scenario: Scenario) -> tuple[Trim, Setup]:
     """The trimmed flight in which a scenario begins, and what its controller is told before it; raises BadInput."""
     aircraft = load_with_changes(scenario.aircraft)
-    start = _start(scenario, aircraft)
+    start = trimmed_start(aircraft, *start_of(scenario))
     return start, _setup(scenario, aircraft, start)
 
 
@@ -141,7 +136,7 @@ def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
     """What the controller is told before the flight: of the aircraft as its files are, also where the truth is changed."""
     if aircraft.changes is not None:
         aircraft = aircraft.nominal
-        start = _start(scenario, aircraft)
+        start = trimmed_start(aircraft, *start_of(scenario))
     return setup_for(
         aircraft,
         stored(aircraft),

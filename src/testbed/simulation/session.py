@@ -1,13 +1,19 @@
-"""One flight in the hand: it is stepped, looked at, broken and mended, and saved as a scenario that flies to the same bytes."""
+"""One flight in the hand: it is stepped, looked at, broken and mended, and saved as a scenario that flies to the same bytes.
+
+`fly` is a loop over a `Session` to which nothing is done.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Self
+
+import numpy as np
 
 from testbed.air.config import Gust, TurbulenceChange, WindChange
 from testbed.common.signals import first_step_at, longer
@@ -28,6 +34,9 @@ from testbed.sensors.faults import SensorFault, with_fault, without_faults
 from testbed.simulation.assembly import Lockstep, assemble
 from testbed.simulation.conclude import conclude
 from testbed.simulation.given import command_of, failure_of, fault_of, gust_of, turbulence_of
+
+Watch = Callable[[float, np.ndarray], object]
+"""Looks at a flight while it is flown: called with time [s] and row of truth of each control step."""
 
 
 class Session:
@@ -320,3 +329,39 @@ def _refuse_others(scenario: object, controller: object, settings: object) -> No
         wrong.append(("set", settings, "a mapping of dotted paths to values"))
     if wrong:
         raise BadInput([Problem(f"is {value!r:.60}", name, expected=what) for name, value, what in wrong])
+
+
+def fly(
+    scenario: Scenario | str | Path,
+    controller: Callable[[Setup], Any] | None = None,
+    *,
+    set: Mapping[str, Any] | None = None,
+    watch: Watch | None = None,
+) -> ReportedFlight:
+    """Fly a scenario. The same scenario, aircraft and controller give the same flight, to the last bit.
+
+    Nothing is written; `ReportedFlight.save` writes a run folder as `testbed run` does.
+
+    Args:
+        scenario: the path of a scenario's YAML file, or a `Scenario`; a shipped file is found from any folder.
+        controller: a class of your own that flies in place of the scenario's controller. It has
+            `__init__(self, setup)` and `update(self, time_s, state, reference)`, as `examples/my_controller.py` shows.
+        set: settings to change, as `--set` does: {"sensors": "mems", "failures.0.value": 0.5}, by dotted paths.
+        watch: called in each control step with its time [s] and its row of truth (see `flight.columns.Recorded`), which it must
+            not change; it may wait, so that the flight is shown in real time.
+
+    Returns:
+        The finished flight: `passed`, `outcome`, `log` (a DataFrame), `events`, `metrics`, `requirements`, `plot()`, `save()`.
+        An aircraft that is lost is an outcome, not an exception.
+
+    Raises:
+        BadInput: the scenario, a name in it, its aircraft, or your controller cannot be used.
+    """
+    with Session(scenario, controller, set=set) as session:
+        loop = session.loop  # its steps prepare nothing for what could be done to the flight
+        while loop.outcome is None:
+            loop.advance(loop.steps if watch is None else loop.done + 1)
+            if watch is not None:
+                watch((loop.done - 1) / loop.parts.scenario.rate_hz, loop.rows.truth[loop.done - 1])
+        flight, plan = session.flight(), session.parts.plan
+    return replace(flight, files=plan.files()) if plan.has_folder else flight

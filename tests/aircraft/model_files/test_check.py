@@ -9,7 +9,7 @@ import pytest
 from hostile_models import HOSTILE, MODEL, inserted, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.model_files import check, numbers, sections, used
+from testbed.aircraft.model_files import check, numbers, used
 from testbed.aircraft.model_files.check import model_problems
 
 STOCK = Path(jsbsim.__file__).parent / "aircraft"
@@ -27,7 +27,7 @@ def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) 
     problems = [*files.problems]
     for rule in (
         check.forbidden,
-        sections.incomplete,
+        check.incomplete,
         numbers.not_numbers,
         numbers.unphysical,
         check.dangerous,

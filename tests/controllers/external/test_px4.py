@@ -15,7 +15,7 @@ from scripts import runnable
 import testbed
 from testbed.controllers.external import mavlink, px4
 from testbed.controllers.external.ardupilot_parameters import given
-from testbed.controllers.external.px4_parameters import written
+from testbed.controllers.external.px4 import written
 from testbed.controllers.external.reference import load
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import load_scenario

@@ -13,8 +13,7 @@ from typing import NamedTuple
 from testbed.aircraft.description import Aircraft, AnyActuator, Engine, MotorActuator, Servo
 from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import Element, read_bytes
-from testbed.aircraft.model_files.sections import ENGINES
-from testbed.aircraft.model_files.used import ModelFiles
+from testbed.aircraft.model_files.used import ENGINES, ModelFiles
 from testbed.common.units import DEGREES_PER_RADIAN
 from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Issue, TreePath

@@ -24,6 +24,10 @@ FOLDERS: dict[str, tuple[str, ...]] = {
     "system": (".", *_SYSTEMS),
 }
 """Folders inside the aircraft's in which JSBSim looks for the file of an element, by its tag, in this order."""
+ENGINES = (
+    "piston_engine", "turbine_engine", "turboprop_engine", "rocket_engine", "electric_engine", "brushless_dc_motor",
+)  # fmt: skip
+"""Tags of engines' files."""
 
 
 class ModelFiles:

@@ -102,7 +102,7 @@ class Outputs:
             raise BadInput([Problem("SERVOn_MIN is not below SERVOn_MAX", "parameters")])
         ends = np.array([_ends(setup, i) for i in range(len(functions))])
         self._start, self._travel = ends[:, 0], ends @ (-1.0, 1.0)
-        self._none = np.where(_is_servo(setup), setup.trim_commands, 0.0)
+        self._none = np.where(is_servo(setup), setup.trim_commands, 0.0)
 
     def commands(self, pulses_us: Any) -> np.ndarray:
         """[n] commands, rad or throttle, of all channels' pulse widths."""
@@ -125,7 +125,7 @@ def _channels(functions: list[int], values: Mapping[str, float], names: Iterable
 
 def _functions(setup: Setup) -> list[int]:
     """SERVOn_FUNCTION of each actuator, by what the design model says of it."""
-    effects, servo = np.array(setup.model.input_matrix), _is_servo(setup)
+    effects, servo = np.array(setup.model.input_matrix), is_servo(setup)
     largest = np.abs(effects[:, servo]).max(axis=1, initial=1e-9)
     about = np.abs(effects) > _MIXED * largest[:, None]
     yaw = effects[R, ~servo]
@@ -146,20 +146,18 @@ def _surface(effect: np.ndarray, about: np.ndarray) -> int:
     return _ELEVATOR if about[Q] else _AILERON if about[P] else _RUDDER
 
 
-def _main_axis(function: int) -> int:
-    return {_AILERON: P, _RUDDER: R}.get(function, Q)
-
-
 def _ends(setup: Setup, i: int) -> tuple[float, float]:
     """Command of an actuator at the shortest and at the longest pulse, which turns in the function's positive sense."""
     if setup.model.kinds[i] != "servo":
         return 0.0, 1.0
     low, high = setup.actuators[i].low, setup.actuators[i].high
-    positive = setup.model.input_matrix[_main_axis(_functions(setup)[i])][i] > 0.0
+    axis = {_AILERON: P, _RUDDER: R}.get(_functions(setup)[i], Q)
+    positive = setup.model.input_matrix[axis][i] > 0.0
     return (low, high) if positive else (high, low)
 
 
-def _is_servo(setup: Setup) -> np.ndarray:
+def is_servo(setup: Setup) -> np.ndarray:
+    """[n] which actuators are servos."""
     return np.array([kind == "servo" for kind in setup.model.kinds])
 
 
@@ -187,7 +185,7 @@ def speeds(setup: Setup) -> dict[str, float]:
     lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")] / GRAVITY_M_S2
     most = 1.0 + lift * max(model.stall_alpha_rad - model.alpha_rad, 0.0)
     cruise = model.airspeed_m_s * math.sqrt(model.density_kg_m3 / SEA_LEVEL_KG_M3)
-    throttles = np.array(setup.trim_commands)[~_is_servo(setup)]
+    throttles = np.array(setup.trim_commands)[~is_servo(setup)]
     climb = 2.0 * float(setup.control.loops.climb_max)
     return {
         "AIRSPEED_CRUISE": cruise,
@@ -212,19 +210,16 @@ def _gains(setup: Setup, functions: list[int]) -> dict[str, float]:
     gains = {"PTCH2SRV_TCONST": 0.3, "PTCH2SRV_RMAX_UP": 60, "PTCH2SRV_RMAX_DN": 60, "PTCH2SRV_RLL": 1}
     gains |= _rate("PTCH", against / pitch, float(loops.q_kp or 0.0) / 3.0 / pitch)
     gains |= {"RLL2SRV_TCONST": 0.3, "RLL2SRV_RMAX": 60}
-    gains |= (
-        _aileron(setup, functions, float(loops.p_kp or 0.0)) if ailerons else _by_rudder(setup, functions)
-    )
+    if ailerons:
+        roll = _per_degree(setup, functions, P)
+        gains |= _rate("RLL", damping(setup, P) / roll, float(loops.p_kp or 0.0) / 3.0 / roll)
+    else:
+        gains |= _by_rudder(setup, functions)
     mixing = {"MIXING_GAIN": 1.0, "RUDD_DT_GAIN": 50.0}
     direct = (
         {"KFF_RDDRMIX": 0.2, "YAW2SRV_DAMP": 0.1} if ailerons else {"KFF_RDDRMIX": 1.0, "YAW2SRV_DAMP": 0.2}
     )
     return gains | mixing | direct
-
-
-def _aileron(setup: Setup, functions: list[int], crossover: float) -> dict[str, float]:
-    roll = _per_degree(setup, functions, P)
-    return _rate("RLL", damping(setup, P) / roll, crossover / 3.0 / roll)
 
 
 def _by_rudder(setup: Setup, functions: list[int]) -> dict[str, float]:

@@ -37,7 +37,6 @@ class Unit:
         for kind, reference, value in parameters:
             getattr(self._fmu, f"set{kind}")([reference], [value])
         version = description.fmiVersion[0]
-        self._begin = self._begin_2 if version == "2" else self._fmu.enterInitializationMode
         names = ("fmi2SetReal", "fmi2GetReal") if version == "2" else ("fmi3SetFloat64", "fmi3GetFloat64")
         self._set, self._get = (getattr(self._fmu, name) for name in names)
         self._counted = version != "2"
@@ -47,7 +46,9 @@ class Unit:
         sensed, reference = told["sensed"], told["reference"]
         signals = [*map(sensed.get, SENSED), *map(reference.get, SETPOINT), *self._constants]
         if step == 0:
-            self._begin()
+            if not self._counted:  # FMI 2
+                self._fmu.setupExperiment(startTime=0.0)
+            self._fmu.enterInitializationMode()
         self._inputs.take([signals[i] for i in self._signals])
         self._call(self._set, self._inputs)
         if step == 0:
@@ -64,10 +65,6 @@ class Unit:
         """End the unit's simulation."""
         self._fmu.terminate()
         self._fmu.freeInstance()
-
-    def _begin_2(self) -> None:
-        self._fmu.setupExperiment(startTime=0.0)
-        self._fmu.enterInitializationMode()
 
     def _call(self, function: Any, values: _Values) -> None:
         n = len(values.numbers)

@@ -2,6 +2,9 @@
 
 Written from the protocol (https://docs.px4.io/main/en/simulation/), and flown against a fake alone. Each HIL_SENSOR moves the
 autopilot's clock, and is answered by HIL_ACTUATOR_CONTROLS of that time. It starts in the air: see `ardupilot`.
+
+The parameters with which it flies an aircraft at first are written from the aircraft as those of ArduPilot are; none has flown. An
+actuator has the output of its place. Its control allocation is told what each surface turns, so any layout flies.
 """
 
 from __future__ import annotations
@@ -21,10 +24,12 @@ import numpy as np
 from testbed.common.angles import body_from_ned
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
+from testbed.controllers.config import PidSettings
+from testbed.controllers.external import ardupilot_parameters as conventional
 from testbed.controllers.external import mavlink
 from testbed.controllers.external.ardupilot_parameters import SEA_LEVEL_KG_M3, density_ratio, given, text
 from testbed.controllers.external.process import CONSOLE, START_S, STEP_S, Autopilot
-from testbed.controllers.external.px4_parameters import written
+from testbed.controllers.pid import suited
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -42,6 +47,17 @@ _FIELD_GAUSS = np.array((0.2257, 0.0130, 0.4166))  # north, east, down at home
 _EARTH_M = 6_371_000.0
 _DITHER = 1e-3  # readings that stay the same to the last bit count as those of a broken sensor
 _AIRFRAME = {"PX4_SIM_MODEL": "gazebo-classic_plane", "PX4_SYS_AUTOSTART": "1030"}
+_MOTOR, _SERVO = 101, 201
+_FIXED_WING, _CUSTOM = 1, 12
+P, Q, R = conventional.P, conventional.Q, conventional.R
+_AXES = {"R": P, "P": Q, "Y": R}
+_FIXED = {
+    "CA_AIRFRAME": _FIXED_WING, "COM_RC_IN_MODE": 4, "NAV_RCL_ACT": 0, "NAV_DLL_ACT": 0, "COM_OF_LOSS_T": 5, "COM_ARM_WO_GPS": 1,
+    "CBRK_SUPPLY_CHK": 894281, "SIM_BAT_ENABLE": 1, "SIM_BAT_MIN_PCT": 100, "SYS_HAS_MAG": 1, "SDLOG_MODE": 1,
+    "FW_R_TC": 0.4, "FW_P_TC": 0.4, "FW_R_LIM": 40, "FW_P_LIM_MAX": 20, "FW_P_LIM_MIN": -20, "FW_THR_MIN": 0, "FW_THR_MAX": 1,
+    "FW_THR_SLEW_MAX": 0, "IMU_GYRO_RATEMAX": 400,
+}  # fmt: skip
+"""No radio, no battery that runs down, and no limits that the other controllers do not have."""
 
 
 class PX4(Autopilot):
@@ -251,3 +267,60 @@ def _travel(setup: Setup) -> tuple[np.ndarray, np.ndarray]:
     ]
     middle, half = np.array(ends).T
     return middle, half
+
+
+def written(setup: Setup) -> dict[str, float]:
+    """The parameters that follow from the aircraft."""
+    return {**_FIXED, **_allocation(setup), **_speeds(setup), **_gains(setup)}
+
+
+def _allocation(setup: Setup) -> dict[str, float]:
+    """The output of each actuator, and of each surface its trim and its share of the moment about each axis."""
+    effect, servo = np.array(setup.model.input_matrix), conventional.is_servo(setup)
+    middle, half = _travel(setup)
+    share = (
+        effect[: R + 1]
+        * half
+        / np.maximum(np.abs(effect[: R + 1] * half)[:, servo].sum(axis=1), 1e-9)[:, None]
+    )
+    said: dict[str, float] = {"CA_ROTOR_COUNT": int((~servo).sum()), "CA_SV_CS_COUNT": int(servo.sum())}
+    for i in range(len(servo)):
+        place = int((servo[:i] == servo[i]).sum())
+        said[f"PWM_MAIN_FUNC{i + 1}"] = (_SERVO if servo[i] else _MOTOR) + place
+        if servo[i]:
+            name = f"CA_SV_CS{place}"
+            said |= {
+                f"{name}_TYPE": _CUSTOM,
+                f"{name}_TRIM": (setup.trim_commands[i] - middle[i]) / half[i],
+            }
+            said |= {f"{name}_TRQ_{axis}": share[row, i] for axis, row in _AXES.items()}
+    return said
+
+
+def _speeds(setup: Setup) -> dict[str, float]:
+    told = conventional.speeds(setup)
+    return {
+        "FW_AIRSPD_TRIM": told["AIRSPEED_CRUISE"],
+        "FW_AIRSPD_MIN": told["AIRSPEED_MIN"],
+        "FW_AIRSPD_STALL": told["AIRSPEED_MIN"] / 1.1,
+        "FW_AIRSPD_MAX": told["AIRSPEED_MAX"],
+        "FW_PSP_OFF": told["PTCH_TRIM_DEG"],
+        "FW_THR_TRIM": told["TRIM_THROTTLE"] / 100.0,
+        "FW_T_CLMB_MAX": told["TECS_CLMB_MAX"],
+        "FW_T_SINK_MAX": told["TECS_SINK_MAX"],
+        "FW_T_SINK_MIN": told["TECS_SINK_MIN"],
+    }
+
+
+def _gains(setup: Setup) -> dict[str, float]:
+    """Rate loops in a whole deflection per rad/s: the crossover is a third of `pid`'s, and feedforward meets the damping."""
+    loops = suited(setup.settings_as(PidSettings), setup)
+    effect, servo = np.abs(np.array(setup.model.input_matrix)), conventional.is_servo(setup)
+    half = _travel(setup)[1]
+    said: dict[str, float] = {}
+    for axis, row, crossover in (("R", P, loops.p_kp), ("P", Q, loops.q_kp), ("Y", R, loops.r_kp)):
+        whole = max(float((effect[row] * half)[servo].sum()), 1e-6)
+        p = float(crossover or 0.0) / 3.0 / whole
+        said |= {f"FW_{axis}R_P": p, f"FW_{axis}R_I": 2.0 * p, f"FW_{axis}R_IMAX": 1.0}
+        said[f"FW_{axis}R_FF"] = 0.0 if axis == "Y" else conventional.damping(setup, row) / whole
+    return {name: value for name, value in said.items() if math.isfinite(value)}

@@ -102,7 +102,9 @@ def module_of(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     setattr(module, _PLACE, str(path))
     sys.modules[name] = module
-    _raise_where_it_would_end(str(path))
+    # From now on `os._exit` in this file, in this process, is raised as `sys.exit` is: it would end a command in silence.
+    _process_of.update(dict.fromkeys((str(path), os.path.abspath(path)), os.getpid()))
+    os._exit = _end_or_raise
     if str(path.resolve().parent) not in sys.path:
         sys.path.insert(0, str(path.resolve().parent))
     with in_words(str(path), "while being read"):
@@ -111,12 +113,6 @@ def module_of(path: Path) -> ModuleType:
         except SyntaxError as error:
             raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
     return module
-
-
-def _raise_where_it_would_end(file: str) -> None:
-    """From now on `os._exit` in this file, in this process, is raised as `sys.exit` is: it would end a command in silence."""
-    _process_of.update(dict.fromkeys((file, os.path.abspath(file)), os.getpid()))
-    os._exit = _end_or_raise
 
 
 def _end_or_raise(status: int) -> NoReturn:

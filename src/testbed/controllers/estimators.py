@@ -1,9 +1,16 @@
-"""Inversion with an interacting multiple-model (IMM) estimator: one model for each failure, weighted by its probability.
+"""Inversion with effectiveness from another estimator than the adaptive law's: recursive least squares, or interacting models.
 
-The estimator of Blom and Bar-Shalom (IEEE TAC 33 (1988) 780), used for actuators as by Zhang and Li (IEEE TAES 34 (1998)
-1293). Each model says z = Phi lambda + b + noise with effectiveness lambda of its own, where z = x_c_dot - f_m is the left side
-of (10). The models are: as it is, and each actuator at each of two other levels. What each model has to estimate is b,
-the design model's own error, as in `inversion.estimator`. From step to step the models mix by a Markov chain.
+`rls_inversion` has recursive least squares with exponential forgetting: adaptation alone. It minimises the sum of
+exp(-age / forgetting_time) (z - Phi lambda)^2 / noise^2 over all rates and the past (Haykin, Adaptive Filter Theory, ch. 9; Astrom
+and Wittenmark, Adaptive Control, sec. 2.2), where z = x_c_dot - f_m is the left side of (10). References are divided by the
+estimates as in the adaptive law. Nothing is flagged, no mode is switched, and the model's own error is not estimated. Without
+excitation P grows without bound under forgetting, so its variances are limited.
+
+`imm_inversion` has an interacting multiple-model (IMM) estimator: one model for each failure, weighted by its probability (Blom and
+Bar-Shalom, IEEE TAC 33 (1988) 780, used for actuators as by Zhang and Li, IEEE TAES 34 (1998) 1293). Each model says
+z = Phi lambda + b + noise with effectiveness lambda of its own. The models are: as it is, and each actuator at each of two other
+levels. What each model has to estimate is b, the design model's own error, as in `inversion.estimator`. From step to step the
+models mix by a Markov chain.
 
 The estimate of effectiveness is the mean of the models, weighted by their probabilities. When the model of a total loss has
 been more probable than a limit for some time, the actuator is flagged, and the mode for that failure is put in force. From
@@ -22,10 +29,15 @@ import numpy as np
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.config import ImmInversionSettings
+from testbed.controllers.config import ImmInversionSettings, RlsInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.controller import InversionController
-from testbed.controllers.inversion.estimator import update_model_error_variance
+from testbed.controllers.inversion.estimator import (
+    UNKNOWN_VARIANCE,
+    project,
+    update_by_rate,
+    update_model_error_variance,
+)
 from testbed.controllers.inversion.law import TIMER_ROUNDING, pressure_ratio_of, state_function
 from testbed.controllers.inversion.step import command_step, regression
 from testbed.controllers.setup import Setup
@@ -35,6 +47,48 @@ PARTIAL = 0.4
 LOST, RECOVERED = 0.0, 1.0
 """Effectiveness in the model of a total loss, and in that of a total recovery."""
 _RATE_KEYS = ("probability_min", "persistence", "failure_rate")
+
+
+@compiled
+def forget(c, s):
+    """Divide P by the forgetting factor exp(-dt / forgetting_time). Variances stay at or below `UNKNOWN_VARIANCE`: the row and
+    the column of one that would pass it are scaled, so that P stays positive definite."""
+    n = len(s.lambda_hat)
+    growth = math.exp(c.dt / c.forgetting_time)
+    for i in range(n):
+        for j in range(n):
+            s.P[i, j] *= growth
+    for i in range(n):
+        if s.P[i, i] > UNKNOWN_VARIANCE:
+            factor = math.sqrt(UNKNOWN_VARIANCE / s.P[i, i])
+            for j in range(n):
+                s.P[i, j] *= factor
+                s.P[j, i] *= factor
+
+
+@compiled
+def rls_step(step, parts):
+    """Estimate, invert and command for one measured state; arguments as in `inversion.step.adaptive_step`; returns 0."""
+    states, _, _, models, settings, _, memories, works, _ = parts
+    y, m, c, s, w = states[step], models[0], settings[0], memories[0], works[0]
+    advance_actuators(c.dt, axial_speed(y), m, s)
+    state_function(y, m, w.f)
+    regression(y, pressure_ratio_of(y, m), m, c, s, w)
+    forget(c, s)
+    for row in range(4):
+        update_by_rate(row, w.z[row], w.phi[row], w.P_h, c, s)
+    project(m, c, s)
+    command_step(step, parts)
+    return 0
+
+
+def rls_inversion(setup: Setup) -> InversionController:
+    """The controller; raises BadInput as `InversionController` does."""
+    chosen, settings = setup.settings_as(RlsInversionSettings), settings_record(setup, None)
+    c = settings[0]
+    c.estimates, c.forgetting_time, c.filter_rate = True, chosen.forgetting_s, chosen.filter_rad_s
+    c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
+    return InversionController(setup, settings, rls_step)
 
 
 def bank_dtype(n: int) -> np.dtype:
