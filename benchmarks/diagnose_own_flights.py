@@ -21,7 +21,7 @@ import testbed
 from testbed.failures import TABLE
 from testbed.flight.flight import Flight
 from testbed.inputs.yaml_source import dump
-from testbed.logs.words import Diagnosis
+from testbed.logs.diagnosis import Diagnosis
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "own_logs.md"
 AT_S, END_S = 20.0, 70.0

@@ -11,7 +11,7 @@ from enac_filter import ORDER, Filtered, filtered, lagged, moments_of, predictor
 from enac_logs import STEP_S, Flight
 from scipy.stats import norm
 
-from testbed.logs.chain import likeliest, probabilities, smoothed
+from testbed.logs.hypotheses import likeliest, probabilities, smoothed
 
 LAGS = 4
 """Commands that the rates of the next sample depend on."""

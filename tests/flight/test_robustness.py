@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from testbed.flight.robustness import always, eventually, never_outside_for
+from testbed.flight.requirements import always, eventually, never_outside_for
 
 DISTANCES = st.lists(st.floats(-10, 10), min_size=1, max_size=40).map(np.array)
 

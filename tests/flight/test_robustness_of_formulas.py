@@ -13,10 +13,8 @@ from pydantic import ValidationError
 from scenario_files import GOOD, problems_of
 
 import testbed
-from testbed.flight.requirements import judge
-from testbed.flight.robustness import robustness
-from testbed.scenario.formula import parse
-from testbed.scenario.requirement import Requirement
+from testbed.flight.requirements import judge, robustness
+from testbed.scenario.requirement import Requirement, parse
 
 RATE_HZ, ROWS = 2.0, 60
 

@@ -303,8 +303,8 @@ def _entry(fly: bool, begin: Callable[[str], None]) -> str:
 def _message(fly: bool, begin: Callable[[str], None]) -> str:
     """Fly by hand as messages say, each refused in words or carried out."""
     from testbed.inputs.problems import BadInput
+    from testbed.live.aloft import Line
     from testbed.live.choices import Choices
-    from testbed.live.copies import Line
     from testbed.live.messages import read
     from testbed.live.pilot import Pilot
     from testbed.scenario.load import load_scenario

@@ -11,7 +11,7 @@ import pytest
 
 from testbed.inputs.problems import BadInput
 from testbed.live import flight as flights
-from testbed.live import frames
+from testbed.live import messages
 from testbed.live.flight import LiveFlight
 from testbed.live.messages import Blow, Break, Mend, Order
 from testbed.scenario.load import changed, load_scenario
@@ -72,7 +72,7 @@ def test_it_is_flown_again_up_to_a_time_and_goes_on_differently(live: LiveFlight
     assert log(live).tobytes() == before.tobytes()
     live.do(MENDED)
     live.fly(100)
-    assert not frames.broken(live.session)
+    assert not messages.broken(live.session)
 
 
 def test_an_earlier_flight_flies_again_what_was_done_since(live: LiveFlight) -> None:
@@ -144,8 +144,8 @@ def test_a_ghost_that_is_lost_does_not_hold_the_flight(live: LiveFlight) -> None
 def test_a_frame_has_a_row_for_each_flight(live: LiveFlight) -> None:
     live.accompany(["pid", "indi"])
     live.fly(300)
-    sent = np.frombuffer(frames.frame(live.session, *live.ghosts.values()), "<f4").reshape(3, -1)
-    at = frames.facts(live.session)["columns"].index("altitude_m")
+    sent = np.frombuffer(messages.frame(live.session, *live.ghosts.values()), "<f4").reshape(3, -1)
+    at = messages.facts(live.session)["columns"].index("altitude_m")
     flown = [live.session, *live.ghosts.values()]
     np.testing.assert_allclose(sent[:, at], [each.truth["altitude_m"] for each in flown], rtol=1e-6)
 
@@ -174,8 +174,8 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
         assert parts.sensors is not None
         long_ones = (*rows, parts.weather.wind, *parts.sensors.table)
         where = [file_of(each) not in {"", *old} for each in long_ones]
-        told = frames.told(flight.session.so_far())  # before the log: what it left has to be there still
-        assert told == frames.told(flight.session.flight())
+        told = messages.told(flight.session.so_far())  # before the log: what it left has to be there still
+        assert told == messages.told(flight.session.flight())
         found.append((log(flight).tobytes(), where))
         flight.close()
     assert found[0][0] == found[1][0]
@@ -193,7 +193,7 @@ def test_a_story_is_that_of_the_logged_rows(live: LiveFlight) -> None:
     assert len(session.so_far().signals["time_s"]) == len(session.flight().data) == 552
     for name, values in session.so_far().signals.items():
         assert values.tobytes() == session.flight().column(name).tobytes(), name
-    assert frames.told(session.so_far()) == frames.told(session.flight())
+    assert messages.told(session.so_far()) == messages.told(session.flight())
     flight.close()
 
 
@@ -217,20 +217,20 @@ def test_numbers_are_those_of_the_log(live: LiveFlight) -> None:
     live.fly(399)
     live.do(STUCK)
     live.fly(200)
-    numbers, kept = frames.numbers(live.session), live.session.flight()
+    numbers, kept = messages.numbers(live.session), live.session.flight()
     for name in kept.columns:
         assert numbers[name][0] == pytest.approx(kept.column(name)[-1], nan_ok=True), name
     assert np.isnan(numbers["left_ruddervator_response"][0])
-    told = np.frombuffer(frames.frame(live.session), "<f4")
-    assert len(told) == len(frames.facts(live.session)["columns"])
+    told = np.frombuffer(messages.frame(live.session), "<f4")
+    assert len(told) == len(messages.facts(live.session)["columns"])
 
 
 def test_faults_of_sensors_are_those_that_fit(live: LiveFlight) -> None:
     """Each type can be sent as it is offered; ideal sensors offer none."""
     live.fly(1)
-    assert frames.facts(live.session)["sensors"] == {}
+    assert messages.facts(live.session)["sensors"] == {}
     flight = LiveFlight(changed(live.session.scenario, {"duration_s": 2.0, "sensors": "mems"}))
-    offers = frames.facts(flight.session)["sensors"]
+    offers = messages.facts(flight.session)["sensors"]
     assert offers.keys() == SENSORS.keys()
     for name, sensor in offers.items():
         for offered in sensor["failures"]:
@@ -239,16 +239,16 @@ def test_faults_of_sensors_are_those_that_fit(live: LiveFlight) -> None:
             assert len(values) == (offered["type"] != "dropout") and set(offered["example"]) <= set(values)
             fault = {"type": offered["type"], "sensor": name, **offered["example"]}
             flight.do(Break(id=1, do="break", failure=fault))
-            assert frames.broken(flight.session).keys() == {name}
+            assert messages.broken(flight.session).keys() == {name}
             flight.fly(2)
             flight.do(Mend(id=2, do="mend", actuator=name))
-            assert not frames.broken(flight.session)
+            assert not messages.broken(flight.session)
     flight.close()
 
 
 def test_failures_are_those_that_fit(live: LiveFlight) -> None:
     """Each type that a page offers can be sent as it is offered."""
-    for name, actuator in frames.facts(live.session)["actuators"].items():
+    for name, actuator in messages.facts(live.session)["actuators"].items():
         for offered in actuator["failures"]:
             live.rewind(0.0)
             needed = {key for key, schema in offered["settings"].items() if "default" not in schema}
@@ -256,4 +256,4 @@ def test_failures_are_those_that_fit(live: LiveFlight) -> None:
             failure = {"type": offered["type"], "actuator": name, **offered["example"]}
             live.do(Break(id=1, do="break", failure=failure))
             live.fly(2)
-            assert frames.broken(live.session).keys() == {name}
+            assert messages.broken(live.session).keys() == {name}

@@ -17,8 +17,8 @@ from command_line import in_this_process
 
 import testbed
 from testbed.aircraft.description import load_aircraft
-from testbed.logs.chain import alone
 from testbed.logs.entry import _setup, read_run
+from testbed.logs.hypotheses import alone
 from testbed.logs.output_error import residuals
 from testbed.logs.page import believed, of_flight, phases
 

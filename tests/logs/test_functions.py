@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from testbed.aircraft.description import load_aircraft
-from testbed.logs.functions import REST, makers
+from testbed.logs.identification import REST, makers
 
 
 def test_the_functions_of_a_coefficient() -> None:

@@ -18,10 +18,10 @@ from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import load_design_model
 from testbed.common.signals import STATE
 from testbed.inputs.yaml_source import dump
-from testbed.logs.coefficients import Row, without_white_noise
 from testbed.logs.entry import _setup, identify, read_run
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import BIN_S, simulated
+from testbed.logs.regression import Row, without_white_noise
 
 from .conftest import SCENARIO, Run
 

@@ -9,7 +9,7 @@ import pytest
 from handmade import RATE_HZ, at, injection, level_log, readings_of
 
 from testbed.metrics import TABLE, measure
-from testbed.metrics.flight_view import Readings
+from testbed.metrics.functions import Readings
 
 
 @pytest.mark.parametrize(

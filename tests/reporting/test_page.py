@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
+from testbed.flight.breakage import noticed_s
 from testbed.flight.requirements import judge
-from testbed.reporting.noticing import noticed_s
 from testbed.reporting.page import MOST_ROWS, groups, packed, phases
 from testbed.reporting.panels import error_columns
 from testbed.reporting.run_report import unmet

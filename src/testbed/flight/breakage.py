@@ -1,5 +1,5 @@
-"""What is broken, and since when; and did the aircraft recover? Decided here for events, metrics and reports alike, from the true
-state and the injections.
+"""What is broken, and since when; did the aircraft recover, and when did the controller notice? Decided here for events, metrics
+and reports alike, from the true state and the injections.
 
 A failure is active from the receipt of its injection to that of its end, or to the end of the flight (`failures_of`).
 
@@ -18,6 +18,9 @@ breaks no actuator, although it may disturb several.
 An aircraft has recovered from a failure at the first instant, not before the failure began, from which altitude and heading
 stay within RECOVERED of their references until the next failure or the end of the flight. They must stay there for at least
 DWELL_S; an aircraft that was lost before the next failure has not recovered.
+
+A controller has noticed a failure when it flagged an actuator, when its estimate has gone half of the way to the truth, or when it
+took the broken actuator for anything but one that works. What it does not notice it may still hold: that is no recovery.
 """
 
 from __future__ import annotations
@@ -25,14 +28,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.failures import Failure
 from testbed.failures.losses import LOST as LOST
-from testbed.flight.columns import Events, Log, row_at, stays_from, stretches
+from testbed.flight.columns import Events, Log, beliefs, row_at, stays_from, stretches
+
+if TYPE_CHECKING:
+    from testbed.flight.flight import Flight
 
 
 class ActiveFailure(NamedTuple):
@@ -157,3 +163,57 @@ def recovery_events(log: Log, injections: Events, survived: bool) -> Iterator[di
     for begin, recovered in recoveries(log, failure_times_s(injections), survived):
         if recovered is not None:
             yield {"time_s": recovered, "kind": "recovered", "after_s": recovered - begin}
+
+
+_LOSS = 0.1  # of effect, that an estimate is to find
+
+
+def noticed_s(flight: Flight) -> list[float]:
+    """Times at which it noticed something that was broken, in order [s]."""
+    log, failures = flight.signals, failures_of(flight.events)
+    flags = [event["time_s"] for event in flight.events if event["kind"] == "detection"]
+    taken = [
+        b["time_s"]
+        for b in signs(log, {failure.actuator for failure in failures if failure.actuator})
+        if any(f.actuator == b["actuator"] and f.from_s <= b["time_s"] < f.until_s for f in failures)
+    ]
+    return sorted([*flags, *taken, *_estimated(log, failures)])
+
+
+def signs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:
+    """The beliefs (see `flight.columns.beliefs`) that say that something is broken."""
+    return [b for b in beliefs(log, actuators) if b["belief"] not in ("works", "doubted")]
+
+
+def unnoticed(log: Mapping[str, np.ndarray], failures: Iterable[ActiveFailure]) -> list[ActiveFailure]:
+    """Those of some failures of actuators of which the log's columns [rows] have no sign while they were active."""
+    return [failure for failure in failures if not _seen(log, failure)]
+
+
+def _seen(log: Mapping[str, np.ndarray], failure: ActiveFailure) -> bool:
+    first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+    flagged = log.get(f"{failure.actuator}_failed")  # a summary may name what the log does not have
+    return (
+        (flagged is not None and bool(np.any(flagged[first:end] > 0.0)))
+        or any(
+            b["time_s"] < failure.until_s and b["until_s"] >= failure.from_s
+            for b in signs(log, [failure.actuator])
+        )
+        or next(_estimated(log, [failure]), None) is not None
+    )
+
+
+def _estimated(log: Mapping[str, np.ndarray], failures: Sequence[ActiveFailure]) -> Iterator[float]:
+    """When the estimate of each broken actuator was first half of the way from what it was to the truth."""
+    for failure in failures:
+        true, estimate = (
+            log.get(f"{failure.actuator}_{of}") for of in ("effectiveness", "effectiveness_estimate")
+        )
+        if true is None or estimate is None:
+            continue
+        first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+        before = estimate[max(first - 1, 0)]
+        loss = np.abs(true[first:end] - before)
+        found = (loss > _LOSS) & (np.abs(estimate[first:end] - before) >= 0.5 * loss)
+        if found.any():
+            yield float(log["time_s"][first + int(found.argmax())])

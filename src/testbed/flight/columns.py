@@ -15,6 +15,7 @@ from testbed.common.signals import BELIEFS, GUARDED, RATES, SETPOINT, STATE, TEL
 from testbed.common.units import DEGREES_PER_RADIAN as _DEG
 from testbed.inputs.problems import did_you_mean
 from testbed.scenario.load import Scenario
+from testbed.sensors.channels import CHANNELS, SI
 from testbed.sensors.channels import log_columns as sensor_columns
 
 Log = Mapping[str, np.ndarray]
@@ -266,6 +267,13 @@ def stays_from(flag: np.ndarray, first: int, end: int) -> int | None:
     false = np.flatnonzero(~flag[first:end])
     row = first + int(false[-1]) + 1 if len(false) else first
     return row if row < end else None
+
+
+def reading(log: Log, name: str, measured: bool = True) -> np.ndarray:
+    """[rows] one of `signals.STATE` as its sensor read it, if that is asked for and sensors were not ideal, else the truth [SI]."""
+    unit = next(channel.unit for channel in CHANNELS if channel.reads == name)
+    column = f"{name}_measured_{unit}"
+    return log[column if measured and column in log else f"{name}_{unit}"] * SI[unit]
 
 
 def unsaid(log: Log) -> set[str]:

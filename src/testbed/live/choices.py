@@ -35,9 +35,11 @@ class Choices:
         """The scenario that the command gave, from this file, and the class of the user's own, if there is one."""
         self._file, self._scenario, self._controller, self._own = file, scenario, controller, own
         shipped = [path.name for path in files_in("scenarios")]
+        # Aircraft of the user's own in the working folder, as scenarios name them.
+        folders = [p.parent.name for p in sorted(Path().glob("*/*.yaml")) if p.stem == p.parent.name]
         self.names = {
             "scenarios": list(dict.fromkeys([file, *shipped])),
-            "aircraft": [*aircraft_names(), *_folders()],
+            "aircraft": [*aircraft_names(), *(f"./{name}" for name in folders)],
             "controllers": [AS_GIVEN, *CONTROLLERS],
             "sensors": [AS_GIVEN, *PRESETS],
         }
@@ -75,10 +77,3 @@ def _level(aircraft: str) -> Scenario:
     """Level flight of an aircraft where it is designed."""
     settings = {"name": f"{Path(aircraft).name} by hand", "aircraft": aircraft, "duration_s": 60}
     return scenario_from(Source("choose", settings))
-
-
-def _folders() -> list[str]:
-    """Aircraft of the user's own in the working folder, as scenarios name them."""
-    return [
-        f"./{path.parent.name}" for path in sorted(Path().glob("*/*.yaml")) if path.stem == path.parent.name
-    ]

@@ -22,7 +22,7 @@ _GUST = {"forward": 0, "right": 3, "down": 0, "rise [s]": 0.5, "hold [s]": 1}
 
 
 def page(facts: Mapping[str, Any], address: str) -> str:
-    """The page of a flight with these facts (see `frames.facts`), which connects to an address."""
+    """The page of a flight with these facts (see `messages.facts`), which connects to an address."""
     panels = group_of("errors", "Errors against what was ordered", False, map(error_panel, TRACKED))
     for panel, tracked in zip(panels["panels"], TRACKED.values(), strict=True):
         limit = facts["limits"].get(tracked.reference)

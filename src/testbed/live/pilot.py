@@ -11,9 +11,9 @@ from time import monotonic
 from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.live import frames
+from testbed.live import messages
+from testbed.live.aloft import Copies, Line
 from testbed.live.choices import Choices
-from testbed.live.copies import Copies, Line
 from testbed.live.flight import LONGEST_S, LiveFlight
 from testbed.live.messages import Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
 from testbed.reporting.flight import ReportedFlight
@@ -50,7 +50,7 @@ class Pilot:
     def _take_off(self, flight: LiveFlight, chosen: dict[str, str]) -> None:
         self.flight = flight
         choices = {"choices": self._choices.names, "chosen": chosen}
-        self._line.say(("facts", frames.facts(flight.session) | choices))
+        self._line.say(("facts", messages.facts(flight.session) | choices))
         self._begin_to_tell()
 
     def _begin_to_tell(self) -> None:
@@ -220,14 +220,14 @@ class Pilot:
             "paused": self._paused,
             "speed": self._times,
             "ended": self._ending(),
-            "broken": frames.broken(session),
+            "broken": messages.broken(session),
             "ghosts": {name: _outcome(ghost) for name, ghost in self.flight.ghosts.items()},
         }
         if state != self._state:
             self._state, self._next_story_s = state, min(self._next_story_s, now + _ANSWER_S)
             self.tell({"note": "state", **state})
         if flew:  # after the state, which says whose rows a frame has
-            self.tell(frames.frame(session, *self.flight.ghosts.values()))
+            self.tell(messages.frame(session, *self.flight.ghosts.values()))
         self._tell_story(now)
 
     def _ending(self) -> str:
@@ -263,7 +263,7 @@ class Pilot:
         """What is told, and how long that took [s]."""
         begun_s = monotonic()
         try:
-            told = frames.told(self.flight.session.so_far())
+            told = messages.told(self.flight.session.so_far())
         except BadInput as error:
             told = {**self._told, "story": [str(error)]}
         return told, monotonic() - begun_s

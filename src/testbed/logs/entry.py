@@ -15,21 +15,19 @@ from testbed.common.writing import write
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup, setup_for
 from testbed.flight.breakage import failure_times_s
+from testbed.flight.columns import reading
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load, refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.logs import identified_report, mapped
-from testbed.logs.diagnosis import diagnosed
+from testbed.logs.diagnosis import Diagnosis, diagnosed, summary, table
 from testbed.logs.flight_log import FlightLog, bad, even
-from testbed.logs.functions import makers
-from testbed.logs.identification import Identified, identified
+from testbed.logs.identification import Identified, identified, makers
 from testbed.logs.output_error import residuals
 from testbed.logs.page import of_flight, of_log, write_page
-from testbed.logs.words import Diagnosis, summary, table
 from testbed.plant.identification import stored
 from testbed.reporting.panels import response_of, shown_log
 from testbed.scenario.load import Scenario
-from testbed.sensors.channels import CHANNELS, SI
 
 _READ = ("airspeed", "p", "q", "r", "roll", "pitch", "alpha", "beta")
 
@@ -141,7 +139,7 @@ def read_run(folder: Path) -> tuple[FlightLog, Flight]:
     """The log of a run folder, and its flight. Raises BadInput when it is none, or nothing was commanded."""
     flight = load(folder)
     log = flight.signals
-    signals = {name: _reading(flight, name) for name in _READ}
+    signals = {name: reading(log, name) for name in _READ}
     if np.any(np.isfinite(log["u_dot_m_s2"])):
         signals["u_dot"] = log["u_dot_m_s2"]
     commands = {}
@@ -154,14 +152,6 @@ def read_run(folder: Path) -> tuple[FlightLog, Flight]:
     there = [name for name in flight.actuators if response_of(name) in true]
     truth = {name: np.interp(made.time_s, log["time_s"], true[response_of(name)]) for name in there}
     return replace(made, truth=truth, failures_s=tuple(failure_times_s(flight.events))), flight
-
-
-def _reading(flight: Flight, name: str) -> np.ndarray:
-    """What the sensor read [SI]: with ideal sensors, the truth."""
-    unit = next(channel.unit for channel in CHANNELS if channel.reads == name)
-    measured = f"{name}_measured_{unit}"
-    column = measured if measured in flight.columns else f"{name}_{unit}"
-    return flight.signals[column] * SI[unit]
 
 
 def _setup(aircraft: Aircraft) -> Setup:

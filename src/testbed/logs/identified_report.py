@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from testbed.logs.diagnosis import as_json
 from testbed.logs.identification import (
     COLLINEAR,
     KEPT_BACK,
@@ -19,7 +20,6 @@ from testbed.logs.identification import (
 )
 from testbed.logs.output_error import STRETCH_S
 from testbed.logs.page import residuals_picture
-from testbed.logs.words import as_json
 from testbed.reporting import html
 from testbed.reporting.html import Cell, tag
 from testbed.reporting.palette import PALETTE

@@ -17,7 +17,7 @@ from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Issue, Problem, guess, unknown
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
-from testbed.logs import dataflash, ulog
+from testbed.logs import autopilots
 from testbed.logs.flight_log import (
     GLOBE,
     MOST_ROWS,
@@ -186,28 +186,25 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
         raise bad("is empty", file, expected=_EXPECTED)
     if what := next((words for start, words in _NO_LOG.items() if content.startswith(start)), ""):
         raise bad(what, file, expected=_EXPECTED)
-    if content.startswith(dataflash.MAGIC):
-        return dataflash.columns(file, content, names, time)
-    if content.startswith(ulog.MAGIC):
-        return ulog.columns(file, content, names, time)
+    if content.startswith(autopilots.DATAFLASH):
+        return autopilots.dataflash_columns(file, content, names, time)
+    if content.startswith(autopilots.ULOG):
+        return autopilots.ulog_columns(file, content, names, time)
     try:
         if content[:4] == b"PAR1":
             parquet = pq.ParquetFile(io.BytesIO(content))
             _refuse_large(file, parquet.metadata.num_rows, parquet.metadata.num_columns)
-            there, table = parquet.schema_arrow.names, None
+            _refuse_missing(file, names, parquet.schema_arrow.names, source)
+            for name in names:
+                _refuse_words(file, name, parquet.schema_arrow.field(name).type)
+            table = parquet.read(columns=names)
         else:
             head = content[:100_000].partition(b"\n")[0].decode("utf-8")
             there = pa.csv.read_csv(io.BytesIO(head.encode() + b"\n")).column_names
             _refuse_large(file, content.count(b"\n"), len(there))
             if len(there) < 2:
                 raise bad("is no table: its first line has one column", file, expected=_EXPECTED)
-            parquet = None
-        _refuse_missing(file, names, there, source)
-        if parquet is not None:
-            for name in names:
-                _refuse_words(file, name, parquet.schema_arrow.field(name).type)
-            table = parquet.read(columns=names)
-        else:
+            _refuse_missing(file, names, there, source)
             options = pa.csv.ConvertOptions(include_columns=names, strings_can_be_null=True)
             table = pa.csv.read_csv(io.BytesIO(content), convert_options=options)
         return {name: _numbers(file, name, table[name]) for name in names}

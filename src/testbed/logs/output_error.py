@@ -15,8 +15,8 @@ import numpy as np
 from scipy.linalg import toeplitz
 
 from testbed.controllers.setup import Setup
-from testbed.logs.coefficients import Row, Rows, rows_of
 from testbed.logs.flight_log import FlightLog
+from testbed.logs.regression import Row, Rows, rows_of
 
 STRETCH_S = 5.0
 BIN_S = 0.02

@@ -17,9 +17,9 @@ from testbed.aircraft.shape import Shape
 from testbed.common.signals import STATE, Belief
 from testbed.flight.columns import stretches
 from testbed.flight.flight import Flight
+from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding, sentence, story
 from testbed.logs.hypotheses import MEANINGS, STATES
 from testbed.logs.output_error import STRETCH_S, Residuals
-from testbed.logs.words import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding, sentence, story
 from testbed.reporting import html
 from testbed.reporting.html import Cell, Html, tag
 from testbed.reporting.page import can_be_replayed, packed

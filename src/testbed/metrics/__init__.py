@@ -4,7 +4,7 @@ A metric is a function of the flight's `Readings`, and has the name of that func
 ratios have none. The first line of the docstring is its definition, which `list` and the report print. A metric that has
 no value in a flight is NaN, such as a detection delay without a detection.
 
-A new metric is one function in the module of its subject, and its name in a table at the end of it.
+A new metric is one function in `functions`, and its name in the table that follows it there.
 
 Metrics of what a controller says of itself are not judged, and are NaN, in the flight of one that does not say it (`unjudged`).
 """
@@ -17,25 +17,25 @@ from collections.abc import Callable, Iterable, Mapping
 import numpy as np
 
 from testbed.flight.columns import unsaid
-from testbed.metrics import monitoring, tracking
-from testbed.metrics.flight_view import Readings, adaptation_rates, readings
+from testbed.metrics import functions
+from testbed.metrics.functions import Readings, adaptation_rates, readings
 
 __all__ = ["TABLE", "Metric", "Readings", "adaptation_rates", "measure", "metrics_of", "readings", "unjudged"]
 
 Metric = Callable[[Readings], float]
 
 THEMES: dict[str, tuple[Metric, ...]] = {
-    "Following the references": tracking.TABLE,
-    "Noticing failures": (*monitoring.OF_FLAGS, *monitoring.OF_RELEASES),
-    "Estimating effectiveness": monitoring.OF_ESTIMATES,
-    "Effort of the actuators": tracking.EFFORT,
+    "Following the references": functions.FOLLOWING,
+    "Noticing failures": (*functions.OF_FLAGS, *functions.OF_RELEASES),
+    "Estimating effectiveness": functions.OF_ESTIMATES,
+    "Effort of the actuators": functions.EFFORT,
 }
 """The metrics, by what they are about."""
 TABLE: dict[str, Metric] = {metric.__name__: metric for metrics in THEMES.values() for metric in metrics}
 _OF = {
-    "_effectiveness_estimate": monitoring.OF_ESTIMATES,
-    "_failed": monitoring.OF_FLAGS,
-    "_released": monitoring.OF_RELEASES,
+    "_effectiveness_estimate": functions.OF_ESTIMATES,
+    "_failed": functions.OF_FLAGS,
+    "_released": functions.OF_RELEASES,
 }
 """The metrics of what a controller says, by the ends of the log's columns that they need."""
 

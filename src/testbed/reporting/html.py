@@ -109,10 +109,14 @@ def page_text(
     """
     body = joined([parts, *(_data(name, value) for name, value in (data or {}).items())], "\n")
     code = "".join(map(asset, filter(None, [_LIBRARIES.get(script), script])))
+    digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
+    # A browser may run this code, connect to this address, and show what is in the page.
+    policy = f"{_POLICY}{_NOWHERE}" + (f"'sha256-{digest}'" if code else "'none'")
+    policy += f"; connect-src {connects}" if connects else ""
     head = [
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        tag("meta", http_equiv="Content-Security-Policy", content=_policy(code, connects)),
+        tag("meta", http_equiv="Content-Security-Policy", content=policy),
         tag("title", title),
         tag("style", Html("\n".join(map(asset, (*_STYLES, *filter(None, [style])))))),
     ]
@@ -129,13 +133,6 @@ def page_text(
         lang="en",
     )
     return f"<!DOCTYPE html>\n{text}\n"
-
-
-def _policy(code: str, connects: str) -> str:
-    """What a browser may do with a page: run this code, connect to this address, and show what is in it."""
-    digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
-    runs = f"'sha256-{digest}'" if code else "'none'"
-    return f"{_POLICY}{_NOWHERE}{runs}" + (f"; connect-src {connects}" if connects else "")
 
 
 def is_page(file: Path) -> bool:

@@ -19,10 +19,9 @@ import numpy as np
 from testbed.aircraft.conventional_shape import conventional
 from testbed.common.angles import wrap_deg
 from testbed.common.signals import Belief
-from testbed.flight.breakage import ActiveFailure, failure_times_s, failures_of
+from testbed.flight.breakage import ActiveFailure, failure_times_s, failures_of, noticed_s
 from testbed.flight.columns import row_at, stretches
 from testbed.flight.flight import Flight
-from testbed.reporting.noticing import noticed_s
 from testbed.reporting.panels import GROUPS, TRACKED, Panel, has_estimates
 from testbed.scenario.requirement import Requirement
 
@@ -153,19 +152,12 @@ def phases(
 
 
 def _phase_of(broken: Sequence[ActiveFailure], events: Sequence[Mapping[str, Any]], time_s: float) -> str:
-    """The phase that the failures make which are active after this time."""
+    """The phase that the failures make which are active after this time: `flagged` if each one's actuator was, since it began."""
     if not broken:
         return "healthy"
-    return "flagged" if all(_noticed(events, failure, time_s) for failure in broken) else "unnoticed"
-
-
-def _noticed(events: Sequence[Mapping[str, Any]], failure: ActiveFailure, time_s: float) -> bool:
-    """Whether the failure's actuator was flagged from its beginning to this time."""
-    return any(
-        e["kind"] == "detection" and e["actuator"] == failure.actuator
-        and failure.from_s <= e["time_s"] <= time_s
-        for e in events
-    )  # fmt: skip
+    flags = [(e["actuator"], e["time_s"]) for e in events if e["kind"] == "detection"]
+    noticed = (any(who == f.actuator and f.from_s <= t <= time_s for who, t in flags) for f in broken)
+    return "flagged" if all(noticed) else "unnoticed"
 
 
 def groups(flight: Flight, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:

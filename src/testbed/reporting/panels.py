@@ -13,10 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from testbed.common.units import unit as unit_of
-from testbed.flight.breakage import failures_of, response, tracking_error
+from testbed.flight.breakage import failures_of, response, signs, tracking_error
 from testbed.flight.columns import stuck_column
 from testbed.flight.flight import Flight
-from testbed.reporting.noticing import signs
 from testbed.reporting.words import believed, title
 
 

@@ -13,12 +13,20 @@ from typing import Any
 import numpy as np
 
 from testbed.common.signals import BELIEFS, Belief
-from testbed.flight.breakage import DWELL_S, RECOVERED, ActiveFailure, broken, failures_of
+from testbed.flight.breakage import (
+    DWELL_S,
+    RECOVERED,
+    ActiveFailure,
+    broken,
+    failures_of,
+    noticed_s,
+    signs,
+    unnoticed,
+)
 from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
 from testbed.flight.events import LIMITS
 from testbed.flight.flight import Flight
 from testbed.metrics import Readings, readings
-from testbed.reporting.noticing import noticed_s, signs, unnoticed
 from testbed.reporting.panels import has_estimates
 from testbed.reporting.words import believed, broke, joined, title
 

@@ -16,6 +16,7 @@ from testbed.sensors.faults import SensorFault
 from testbed.sensors.settings import Sensors
 
 Timed = TypeVar("Timed", Failure, SensorFault)
+Windowed = TypeVar("Windowed", Failure, SensorFault, Requirement)
 _RANDOM_FAULTS = ("dropout", "noise")
 _NOT_DEFAULT_S = 20.0
 """A correlation time that is not the default one. It acts on nothing while there is no wander."""
@@ -59,8 +60,8 @@ def _cut(each: Iterable[Timed], rate_hz: float, steps: int) -> list[Timed]:
     return [one for one in each if begins_within(one.at_s, rate_hz, steps)]
 
 
-def _within(one: Timed, end_s: float) -> Timed:
-    """The failure or fault, without an end that is after the flight's."""
+def _within(one: Windowed, end_s: float) -> Windowed:
+    """The failure, fault or requirement, without an end that is after the flight's."""
     ends_later = one.until_s is not None and one.until_s > end_s
     return one.model_copy(update={"until_s": None}) if ends_later else one
 
@@ -123,5 +124,4 @@ def _requirements(requirements: Iterable[Requirement], end_s: float) -> Iterator
     """Those that begin within the flight; their windows end with it at the latest."""
     for each in requirements:
         if max(each.begins_s, each.never_for_longer_than_s or 0.0) < end_s:
-            ends_later = each.until_s is not None and each.until_s > end_s
-            yield each.model_copy(update={"until_s": None}) if ends_later else each
+            yield _within(each, end_s)

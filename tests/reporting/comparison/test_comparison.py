@@ -16,7 +16,7 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import measure, readings
 from testbed.reporting.comparison.compare import compare, names_of
-from testbed.reporting.comparison.panels import columns_of, common_rows, groups, on_grid
+from testbed.reporting.comparison.page import columns_of, common_rows, groups, on_grid
 from testbed.reporting.words import setting
 
 

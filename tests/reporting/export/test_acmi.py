@@ -12,8 +12,8 @@ from pyacmi import Acmi
 from testbed.aircraft.changes import ChangedAircraft
 from testbed.flight.flight import Flight
 from testbed.reporting.export import export
-from testbed.reporting.export.acmi import RATE_HZ
 from testbed.reporting.export.place import Origin
+from testbed.reporting.export.tracks import ACMI_HZ as RATE_HZ
 
 
 @pytest.fixture

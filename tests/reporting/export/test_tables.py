@@ -13,7 +13,7 @@ from scipy.io import loadmat
 
 from testbed.flight.flight import Flight
 from testbed.reporting.export import export
-from testbed.reporting.export.mat import names_of
+from testbed.reporting.export.tables import names_of
 
 
 def test_parquet_has_the_log_with_units(flown: Flight, tmp_path: Path) -> None:

@@ -10,8 +10,8 @@ from handmade import flight_of, injection, level_log
 
 from testbed.common.signals import Belief
 from testbed.reporting.comparison.compare import Comparison
-from testbed.reporting.comparison.panels import columns_of
-from testbed.reporting.comparison.panels import groups as of_comparison
+from testbed.reporting.comparison.page import columns_of
+from testbed.reporting.comparison.page import groups as of_comparison
 from testbed.reporting.figures import plot
 from testbed.reporting.page import groups
 from testbed.reporting.panels import shown_log

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from handmade import flight_of, injection, level_log
 
-from testbed.reporting.figures.events import LOOKS, marks, rows_of
+from testbed.reporting.figures.lines import LOOKS, marks, rows_of
 from testbed.reporting.words import describe
 
 FLIGHT = flight_of(level_log())

@@ -8,7 +8,7 @@ from handmade import flight_of, injection, level_log
 
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures import plot
-from testbed.reporting.figures.events import zoom_span
+from testbed.reporting.figures.lines import zoom_span
 
 
 @pytest.mark.parametrize(

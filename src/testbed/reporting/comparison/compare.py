@@ -16,7 +16,6 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import describe
 from testbed.reporting import html
 from testbed.reporting.comparison import page
-from testbed.reporting.comparison.panels import common_rows
 from testbed.reporting.words import broke, joined, setting
 from testbed.scenario.load import Scenario
 
@@ -98,7 +97,9 @@ class Comparison:
 
     def write(self, file: str | Path) -> Path:
         """Write the page of the comparison; returns its file. Raises OSError when it cannot be written."""
-        return page.write(self, Path(file))
+        from testbed.reporting.comparison.figure import picture
+
+        return page.write(self, Path(file), picture(self))
 
 
 def compare(flights: Sequence[Flight], out: str | Path | None = None) -> Comparison:
@@ -180,15 +181,12 @@ def first_difference(one: Flight, other: Flight) -> FirstDifference:
     """The first step in which two logs differ, by so little as a bit, in columns that both have."""
     shared = [name for name in one.columns if name in other.columns and name != "time_s"]
     a, b = one.column("time_s"), other.column("time_s")
-    rows, others = common_rows(a, b)
-    differs = {name: _unequal(one.column(name)[rows], other.column(name)[others]) for name in shared}
+    rows, others = page.common_rows(a, b)
+    both = ((name, one.column(name)[rows], other.column(name)[others]) for name in shared)
+    differs = {name: (x != y) & ~(np.isnan(x) & np.isnan(y)) for name, x, y in both}
     time_s, columns = _first(a[rows], differs)
     moved_s, moved = _first(a[rows], {name: differs[name] for name in shared if name in FLOWN})
     return FirstDifference(time_s, columns, moved_s, moved)
-
-
-def _unequal(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return (a != b) & ~(np.isnan(a) & np.isnan(b))
 
 
 def _first(time: np.ndarray, differs: Mapping[str, np.ndarray]) -> tuple[float | None, tuple[str, ...]]:

@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from testbed.flight.breakage import failures_of
-from testbed.reporting.comparison.panels import began, columns_of, of_all
-from testbed.reporting.figures.events import LOOKS, Mark
-from testbed.reporting.figures.lines import Shown
+from testbed.reporting.comparison.page import began, columns_of, of_all
+from testbed.reporting.figures.lines import LOOKS, Mark, Shown
 from testbed.reporting.figures.sheet import Sheet, plain_text, png
 from testbed.reporting.palette import COLOURS
 from testbed.reporting.panels import error_panel, states

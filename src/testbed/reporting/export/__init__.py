@@ -21,26 +21,27 @@ Write = Callable[[Flight, BinaryIO, Origin], None]
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: the ending of its files, what reads it, and the log's columns without which there is nothing to show."""
+    """A file format: the module here that writes it, the ending of its files, what reads it, and the log's columns without which
+    there is nothing to show."""
 
+    module: str
     ending: str
     meaning: str
     needs: tuple[str, ...] = ()
 
 
 TABLE: dict[str, Format] = {
-    "acmi": Format(".acmi", "Tacview 2.2: attitude, air data, actuators, events as bookmarks", POSE),
-    "kml": Format(".kml", "Google Earth and others: a track in time with attitude, events as places", POSE),
-    "parquet": Format(".parquet", "pandas, polars, DuckDB: the log with units in its metadata", ("time_s",)),
-    "mcap": Format(".mcap", "Foxglove: frames, location, a topic for each actuator, events", POSE),
+    "acmi": Format("tracks", ".acmi", "Tacview 2.2: attitude, air data, actuators, events as bookmarks", POSE),
+    "kml": Format("tracks", ".kml", "Google Earth and others: a track in time with attitude, events as places", POSE),
+    "parquet": Format("tables", ".parquet", "pandas, polars, DuckDB: the log with units in its metadata", ("time_s",)),
+    "mcap": Format("mcap", ".mcap", "Foxglove: frames, location, a topic for each actuator, events", POSE),
     "ulog": Format(
-        ".ulg",
-        "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
+        "ulog", ".ulg", "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
         (*POSE, "p_deg_s", "q_deg_s", "r_deg_s", "alpha_deg", "beta_deg", "airspeed_m_s", "climb_rate_m_s"),
     ),
-    "mat": Format(".mat", "MATLAB and Octave: structs log, units and flight, and events", ("time_s",)),
-}
-"""By the name on the command line, which is also the name of the module here that writes it."""
+    "mat": Format("tables", ".mat", "MATLAB and Octave: structs log, units and flight, and events", ("time_s",)),
+}  # fmt: skip
+"""By the name on the command line, which is also the name of the function that writes it."""
 
 
 def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_ORIGIN) -> Path:
@@ -49,11 +50,11 @@ def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_O
     Raises BadInput: there is no such format, the log lacks a column, a package is not installed, or the file exists or cannot be
     written.
     """
-    file, needed = Path(file), format_of(to).needs
+    file, form = Path(file), format_of(to)
     refuse_unwritable(file)
-    if missing := [name for name in needed if name not in flight.columns]:
+    if missing := [name for name in form.needs if name not in flight.columns]:
         raise BadInput([Problem(f"the log has no column {name}", "--to " + to) for name in missing])
-    write: Write = import_module(f"{__name__}.{to}").write
+    write: Write = getattr(import_module(f"{__name__}.{form.module}"), to)
     with written(file) as stream:
         write(flight, stream, origin)
     return file

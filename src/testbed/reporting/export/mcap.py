@@ -38,7 +38,7 @@ Message = tuple[float, str, dict[str, Any]]
 """Time of the flight [s], topic, and what is said there then."""
 
 
-def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
+def mcap(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     """Write frames, location and the log's signals at RATE_HZ, and the events; raises BadInput without the package mcap."""
     try:
         from mcap.writer import Writer

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping
+from functools import partial
 from typing import BinaryIO
 
 import numpy as np
 
+from testbed.flight.columns import reading
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin
 from testbed.reporting.words import describe
-from testbed.sensors.channels import CHANNELS, SI
 
 _MAGIC = b"ULog\x01\x12\x35\x01"
 _ACTUATOR = ("reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed")
@@ -24,7 +25,7 @@ _TEXT = 60_000
 _Topic = Mapping[str, np.ndarray]
 
 
-def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
+def ulog(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     """Write every row of the log whose time is known; topics are logged at the same times, in microseconds."""
     rows = np.isfinite(flight.column("time_s"))
     time_us = np.round(flight.column("time_s")[rows] * 1e6).astype("<u8")
@@ -65,11 +66,7 @@ def _topics(flight: Flight) -> dict[str, _Topic]:
 
 
 def _motion(flight: Flight, *, measured: bool) -> dict[str, _Topic]:
-    def of(name: str) -> np.ndarray:
-        unit = next(channel.unit for channel in CHANNELS if channel.reads == name)
-        column = f"{name}_measured_{unit}" if measured else f"{name}_{unit}"
-        return flight.column(column if column in flight.columns else f"{name}_{unit}") * SI[unit]
-
+    of = partial(reading, flight.signals, measured=measured)
     return {
         "vehicle_attitude": {"q": _quaternion(of("roll"), of("pitch"), of("heading"))},
         "vehicle_angular_velocity": {"xyz": np.stack([of(axis) for axis in "pqr"], axis=1)},

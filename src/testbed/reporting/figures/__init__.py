@@ -58,8 +58,7 @@ def draw(flight: Flight, folder: str | Path) -> list[Path]:
 
 def _shown(flight: Flight) -> Shown:
     """A flight as the sheet draws it."""
-    from testbed.reporting.figures.events import marks, zoom_span
-    from testbed.reporting.figures.lines import Shown
+    from testbed.reporting.figures.lines import Shown, marks, zoom_span
 
     end_s = max(flight.end_time_s, 1e-3)
     return Shown(

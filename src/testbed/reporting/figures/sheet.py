@@ -20,8 +20,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from testbed.common.writing import write
-from testbed.reporting.figures.events import Mark, rows_of
-from testbed.reporting.figures.lines import Shown, draw_panel
+from testbed.reporting.figures.lines import Mark, Shown, draw_panel, rows_of
 from testbed.reporting.panels import Panel
 
 DPI = 110

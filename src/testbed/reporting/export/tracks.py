@@ -1,4 +1,9 @@
-"""KML 2.2 with Google's extension gx:Track (https://developers.google.com/kml/documentation/kmlreference#gxtrack).
+"""The track of a flight on the globe, for Tacview and for Google Earth.
+
+ACMI 2.2 is text in UTF-8 (https://www.tacview.net/documentation/acmi/en/). Roll is positive to the right, pitch up, yaw from true
+north, as in the log.
+
+KML 2.2 is written with Google's extension gx:Track (https://developers.google.com/kml/documentation/kmlreference#gxtrack).
 
 gx:angles are those of a model whose y axis is the nose: heading, tilt and roll, each positive clockwise as seen from the
 tip of its axis. So tilt is nose down, roll is to the left, and both have the opposite sign of the log's.
@@ -6,8 +11,10 @@ tip of its axis. So tilt is nose down, roll is to the left, and both have the op
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from html import escape
+from pathlib import Path
 from typing import BinaryIO
 from xml.etree import ElementTree as Xml
 
@@ -19,16 +26,69 @@ from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, wind
 from testbed.reporting.story import story
 from testbed.reporting.words import describe
 
-RATE_HZ = 10.0
+ACMI_HZ = 25.0
+_AIRCRAFT = "1"  # identifier of the object
+_HEAD = "FileType=text/acmi/tacview\nFileVersion=2.2\n0,ReferenceTime=2000-01-01T00:00:00Z\n"
+_AIR = {"TAS": "airspeed_m_s", "AOA": "alpha_deg", "AOS": "beta_deg"}  # Tacview's own names
+
+
+def acmi(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
+    """Write the flight at ACMI_HZ, with wind and actuators as properties of the aircraft and events as bookmarks."""
+    text = "".join(f"{line}\n" for line in _lines(flight, poses(flight, origin, ACMI_HZ)))
+    stream.write((_HEAD + text).encode("utf-8-sig"))
+
+
+def _lines(flight: Flight, track: Poses) -> Iterator[str]:
+    yield f"0,DataSource=testbed,Title={_escaped(flight.scenario.name)}"
+    yield f"0,Category=Flight test,Comments={_escaped(' '.join(story(flight)))}"
+    columns = _columns(flight)
+    bookmarks = [(float(event["time_s"]), describe(event, flight)) for event in flight.events]
+    yield f"{_AIRCRAFT},Type=Air+FixedWing,Name={_escaped(Path(str(flight.scenario.aircraft)).name)},Color=Blue"
+    for k, row in enumerate(track.rows):
+        while bookmarks and bookmarks[0][0] <= track.time_s[k]:
+            yield from _bookmark(*bookmarks.pop(0))
+        yield f"#{track.time_s[k]:.3f}"
+        place = f"{track.longitude_deg[k]:.8f}|{track.latitude_deg[k]:.8f}|{track.altitude_m[k]:.2f}"
+        attitude = f"{track.roll_deg[k]:.2f}|{track.pitch_deg[k]:.2f}|{track.heading_deg[k]:.2f}"
+        known = [f"{name}={v:.4g}" for name, c in columns.items() if np.isfinite(v := flight.data[row, c])]
+        yield ",".join([f"{_AIRCRAFT},T={place}|{attitude}", *known])
+    for bookmark in bookmarks:
+        yield from _bookmark(*bookmark)
+
+
+def _bookmark(time_s: float, text: str) -> Iterator[str]:
+    yield f"#{time_s:.3f}"
+    yield f"0,Event=Bookmark|{_escaped(text.replace('|', '/'))}"
+
+
+def _columns(flight: Flight) -> dict[str, int]:
+    """Place in the log of each numeric property; names that Tacview does not know it keeps as raw telemetry."""
+    names = {name: column for name, column in _AIR.items() if column in flight.columns}
+    names |= {_camel(column.removesuffix("_m_s")): column for column in wind(flight)}
+    for actuator in flight.actuators:
+        names |= {_camel(f"{actuator}_{of}"): f"{actuator}_{of}" for of in ("position", "effectiveness")}
+    return {name: flight.columns.index(column) for name, column in names.items()}
+
+
+def _camel(column: str) -> str:
+    return "".join(part.capitalize() for part in column.split("_"))
+
+
+def _escaped(text: str) -> str:
+    """A text as a property's value: commas, backslashes and ends of lines are escaped."""
+    return printable(text).replace("\\", "\\\\").replace(",", "\\,").replace("\n", "\\\n")
+
+
+KML_HZ = 10.0
 _KML, _GX = "http://www.opengis.net/kml/2.2", "http://www.google.com/kml/ext/2.2"
 _SCHEMA = "air"
 
 
-def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
-    """Write the flight's track at RATE_HZ with attitude, air data and wind, and a place for each event."""
+def kml(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
+    """Write the flight's track at KML_HZ with attitude, air data and wind, and a place for each event."""
     Xml.register_namespace("", _KML)
     Xml.register_namespace("gx", _GX)
-    track = poses(flight, origin, RATE_HZ)
+    track = poses(flight, origin, KML_HZ)
     root = Xml.Element(f"{{{_KML}}}kml")
     document = _add(root, "Document")
     _add(document, "name", printable(flight.scenario.name))

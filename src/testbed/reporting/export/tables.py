@@ -1,7 +1,12 @@
-"""MATLAB's level 5 format: structs `log` (columns), `units` (text of each) and `flight`, and the struct array `events`."""
+"""The whole log as a table.
+
+Apache Parquet: each field's metadata has its `unit`, the table's `testbed` the summary as JSON.
+MATLAB's level 5 format: structs `log` (columns), `units` (text of each) and `flight`, and the struct array `events`.
+"""
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Iterable
@@ -13,11 +18,25 @@ from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin
 from testbed.reporting.words import describe, units_of
 
+
+def parquet(flight: Flight, stream: BinaryIO, _: Origin) -> None:
+    """Write every row of the log in full precision."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    units = units_of(flight)
+    fields = [pa.field(name, pa.float64(), metadata={"unit": units[name]}) for name in flight.columns]
+    summary = json.dumps(flight.summary, ensure_ascii=False, sort_keys=True)
+    schema = pa.schema(fields, metadata={"testbed": summary})
+    arrays = [pa.array(np.ascontiguousarray(column)) for column in np.asarray(flight.data, float).T]
+    pq.write_table(pa.Table.from_arrays(arrays, schema=schema), stream, compression="zstd")
+
+
 _LONGEST = 63  # characters of a name in MATLAB
 _HEADER = b"MATLAB 5.0 MAT-file, written by testbed".ljust(116)  # scipy's has the time of writing
 
 
-def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
+def mat(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     """Write the log in full precision, each column [rows, 1]."""
     from scipy.io import savemat
 
