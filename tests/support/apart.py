@@ -22,10 +22,10 @@ _LARGE = (
 
 def begin(config: pytest.Config) -> None:
     """In a worker that runs all tests: import one part of what is large, and collect from another folder on than the others."""
-    name = os.environ.get("PYTEST_XDIST_WORKER", "")
-    if not name or not _all(config):
+    worker = os.environ.get("PYTEST_XDIST_WORKER", "").removeprefix("gw")
+    if not worker.isdigit() or not _all(config):
         return
-    number, workers = int(name.removeprefix("gw")), int(os.environ["PYTEST_XDIST_WORKER_COUNT"])
+    number, workers = int(worker), int(os.environ["PYTEST_XDIST_WORKER_COUNT"])
     for module in _LARGE[number % len(_LARGE)]:
         with contextlib.suppress(ImportError):
             import_module(module)
