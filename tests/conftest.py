@@ -16,6 +16,7 @@ import pytest
 # Before numpy is imported: a flight that is nearly lost has its numbers from the last digits, which depend on the kernel.
 os.environ.setdefault("OPENBLAS_CORETYPE", golden.KERNEL["OPENBLAS_CORETYPE"])
 
+import apart
 import suite_files
 from chromium import chromium
 
@@ -26,14 +27,20 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_collection() -> Generator[None, object, object]:
+def pytest_collection(session: pytest.Session) -> Generator[None, object, object]:
     """What the tests import stays: the collector of garbage need not look at it, now and later."""
     gc.disable()
     try:
+        apart.begin(session.config)
         return (yield)
     finally:
         gc.freeze()
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    apart.in_order(config, items)
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:

@@ -8,9 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import compiled_code
 import pytest
-
-from testbed.common import jit
 
 CODE = """\
 import json, os, sys
@@ -89,11 +88,10 @@ def test_the_commands_open_nothing_elsewhere_for_writing(tmp_path: Path) -> None
     environment = {
         **os.environ,
         "TMPDIR": str(scratch),
-        "XDG_CACHE_HOME": str(cache),
         "MPLCONFIGDIR": str(cache),
+        **compiled_code.environment(cache),
     }
-    compiled = jit._FOLDER or cache  # that of other flights
-    environment["NUMBA_CACHE_DIR"] = str(compiled)
+    compiled = environment.get("NUMBA_CACHE_DIR", cache)
     ended = subprocess.run(
         [sys.executable, "-B", "-c", CODE],
         cwd=place,

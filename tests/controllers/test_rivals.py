@@ -7,11 +7,11 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+import adopted_aircraft
 import pytest
 import yaml
 from short_flights import worst_errors
 
-import testbed
 from testbed.aircraft.description import load_aircraft
 from testbed.controllers.config import TABLE
 from testbed.controllers.rivals import INFORMED, RIVALS
@@ -28,7 +28,7 @@ def adopted(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], str]:
 
     @cache
     def folder(name: str) -> str:
-        return str(testbed.adopt(name, tmp_path_factory.mktemp("adopted") / name).folder)
+        return str(adopted_aircraft.adopted(name, tmp_path_factory.mktemp("adopted")))
 
     return lambda name: folder(name) if name in ADOPTED else name
 

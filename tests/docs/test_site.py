@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import chromium
 import pytest
 from chromium import Window, opened, without
 from command_line import ROOT
@@ -65,8 +66,9 @@ def test_search_works_from_disk(site: Path, browser: Any) -> None:
     window.context.close()
 
 
-def test_the_check_can_fail(browser: Any, tmp_path: Path) -> None:
+def test_the_check_can_fail(browser: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Negative control: a page that is too wide, asks a server and raises."""
+    monkeypatch.setattr(chromium, "MOST_LOOKS", 3)
     file = tmp_path / "bad.html"
     file.write_text(
         '<meta name="viewport" content="width=device-width"><div style="width: 5000px">wide</div>'

@@ -72,11 +72,10 @@ def main() -> None:
     sys.stdout = sys.stderr  # what the program prints is no answer
     root = Path(tempfile.mkdtemp(prefix="fuzz-"))
     tempfile.tempdir = os.environ["TMPDIR"] = os.environ["XDG_CACHE_HOME"]
+    places = (root, Path(tempfile.tempdir), *map(Path, filter(None, [os.environ.get("NUMBA_CACHE_DIR")])))
     try:
         _warm_up(root)
-        sys.addaudithook(
-            partial(_hear, (root, *map(Path, (tempfile.tempdir, os.environ["NUMBA_CACHE_DIR"]))))
-        )
+        sys.addaudithook(partial(_hear, places))
         while _forked(root, answers):
             pass
     finally:

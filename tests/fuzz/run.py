@@ -29,7 +29,8 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from mutants import KINDS, ROOT, Mutant
 
-from testbed.common import jit
+sys.path.append(str(ROOT / "tests" / "support"))
+import compiled_code
 
 LONGEST_S = 10.0
 """Longest computing time for one mutant [s]: the program promises an answer within it."""
@@ -54,9 +55,8 @@ class Examiner:
             "PYTHONPATH": str(ROOT / "src"),
             "OPENBLAS_NUM_THREADS": "1",
             "PYTHONDONTWRITEBYTECODE": "1",  # else a first import is heard as a file written outside
-            "XDG_CACHE_HOME": cache,
+            **compiled_code.environment(Path(cache)),
         }
-        environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER or cache)
         command = [sys.executable, str(Path(__file__).with_name("examine.py"))]
         self._process = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from adopted_aircraft import adopted
 from chromium import Window, unreadable
 from live_server import serving
 
@@ -69,7 +70,7 @@ def served(
     folder = tmp_path_factory.mktemp("live")
     aircraft = request.param
     if aircraft.startswith("./"):
-        testbed.adopt(aircraft.removeprefix("./"), out=folder / aircraft)
+        adopted(aircraft.removeprefix("./"), folder)
     with contextlib.chdir(folder):
         initial = load_aircraft(aircraft).reference.model_dump()
     scenario = {"name": "by hand <b>&amp;", "aircraft": aircraft, "duration_s": 20, "initial": initial}

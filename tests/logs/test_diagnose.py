@@ -186,13 +186,14 @@ def test_an_hour_at_50_hz_takes_less_than_30_s(run: Run, tmp_path: Path) -> None
     import time
 
     folder = run(None, True)
-    log = pd.read_csv(folder / "log.csv").iloc[::2]
-    hour = pd.concat([log] * 81, ignore_index=True)
-    hour["time_s"] = np.arange(1, len(hour) + 1) / 50.0
+    head, *rows = (folder / "log.csv").read_text().splitlines()
+    assert head.startswith("time_s,")
+    hour = [row.partition(",")[2] for row in rows[::2]] * 81  # as text: pandas takes 15 s to write it
     changed = shutil.copytree(folder, tmp_path / "run")
-    hour.to_csv(changed / "log.csv", index=False)
+    lines = (f"{i / 50.0},{row}" for i, row in enumerate(hour, 1))
+    (changed / "log.csv").write_text("\n".join([head, *lines, ""]))
     summary = json.loads((changed / "summary.json").read_text())
-    summary["end_time_s"] = float(hour["time_s"].iloc[-1])
+    summary["end_time_s"] = len(hour) / 50.0
     (changed / "summary.json").write_text(json.dumps(summary))
     scenario = changed / "scenario.yaml"
     scenario.write_text(scenario.read_text().replace("duration_s: 45", "duration_s: 3645", 1))

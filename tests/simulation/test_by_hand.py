@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
+import runpy
 from pathlib import Path
 
+import pytest
 from command_line import ROOT
 
 import testbed
 
 
-def test_the_example(tmp_path: Path) -> None:
-    command = [sys.executable, str(ROOT / "examples" / "by_hand.py")]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
-    seen, end = done.stdout.splitlines()
+def test_the_example(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(ROOT / "examples" / "by_hand.py"), run_name="__main__")
+    seen, end = capsys.readouterr().out.splitlines()
     assert 0.0 < float(seen.split()[2]) < 2.0
     assert end.startswith("at 30")
     kept = testbed.load(tmp_path / "by hand")

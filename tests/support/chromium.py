@@ -19,6 +19,8 @@ REQUIRED = bool(os.environ.get("BROWSER_REQUIRED"))
 PICTURES = os.environ.get("SITE_PICTURES")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 _AXE = Path(__file__).parents[2] / "web/node_modules/axe-core/axe.min.js"
+MOST_LOOKS = 100
+"""How often, 0.1 s apart, a page is looked at until it fits into its window."""
 _AT_ONCE = 6
 """Windows in which pages are loaded at the same time: each is watched for half a second after its last request."""
 FLAGS = [
@@ -69,10 +71,12 @@ def chromium() -> Iterator[Any]:
 
 
 class Window:
-    """A page in a window of some width that remembers what went wrong in it."""
+    """A page in a window of some width that remembers what went wrong in it. It asks for no transitions: none is waited for."""
 
     def __init__(self, browser: Any, width: int, scheme: str) -> None:
-        self.context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
+        self.context = browser.new_context(
+            viewport={"width": width, "height": 900}, color_scheme=scheme, reduced_motion="reduce"
+        )
         self.page, self.wrong = self.context.new_page(), []
         self.scheme = scheme
         self.page.on("console", self._said)
@@ -105,7 +109,7 @@ class Window:
         """
         self.page.wait_for_load_state("networkidle")
         wide = "document.documentElement.scrollWidth > document.documentElement.clientWidth"
-        for _ in range(100):
+        for _ in range(MOST_LOOKS):
             if not self.page.evaluate(wide):
                 return
             self.page.wait_for_timeout(100)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import yaml
+from adopted_aircraft import adopted
 from scipy.optimize import lsq_linear
 from vtail_setup import WEATHER, Records, axial, records_of, vtail_setup
 
@@ -144,7 +145,7 @@ def test_the_rudder_is_not_thrown_over_for_the_roll_of_a_weak_aileron(tmp_path: 
     """An F-15's aileron has 0.4 of its effect. With equal weights of all axes its rudder goes to the stop: lost in 7 s."""
     flown = {}
     for name, weights in {"derived": {}, "equal": {"p_dot": 1.0, "q_dot": 1.0, "r_dot": 1.0}}.items():
-        folder = testbed.adopt("f15", tmp_path / name / "f15").folder
+        folder = adopted("f15", tmp_path / name)
         description = yaml.safe_load((folder / "f15.yaml").read_text())
         description.setdefault("control", {})["allocation"] = weights
         (folder / "f15.yaml").write_text(yaml.safe_dump(description))

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from adopted_aircraft import adopted
 from vtail_setup import DT
 
-import testbed
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.controllers.config import AdaptiveInversionSettings
@@ -108,7 +108,7 @@ def test_an_airspeed_that_cannot_be_is_not_believed() -> None:
 
 def test_with_thrust_short_of_least_drag_the_flight_is_not_slower_than_that(tmp_path: Path) -> None:
     """Slower, an elevator that holds altitude leaves the airspeed unstable; the trim of most margin asked for 1e4 rad/s2 a rad."""
-    setup = setup_of(str(testbed.adopt("t6texan2", tmp_path / "adopted").folder))
+    setup = setup_of(str(adopted("t6texan2", tmp_path)))
     mode = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)[(ENGINE,)]
     for position in np.arange(1.3, 2.1, 0.1):
         regulator = design_regulator(setup, mode, {ENGINE: position})

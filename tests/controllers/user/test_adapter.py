@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import ROOT, in_this_process
-from command_line import testbed as command
 from short_flights import scenario, worst_errors
 from vtail_setup import vtail_setup
 
@@ -32,7 +31,7 @@ def test_records_have_the_signals_in_their_order() -> None:
 
 def test_the_example_flies_from_the_command_line_and_from_python(tmp_path: Path) -> None:
     wanted = scenario(tmp_path)
-    run = command(
+    run = in_this_process(
         tmp_path,
         "run",
         "healthy.yaml",
