@@ -15,9 +15,10 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.inputs.problems import BadInput
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import accelerations, trim
+from testbed.plant.trim import accelerations, trim, trimmed_start
 from testbed.scenario.load import dump, load_scenario
-from testbed.simulation.assembly import _setup, _start, assemble
+from testbed.simulation.assembly import _setup, assemble
+from testbed.simulation.check import start_of
 
 SLUG_KG, INCH_M = 14.59390294, 0.0254
 LEVEL = {"airspeed": 18.0, "altitude": 300.0, "alpha": 0.03, "pitch": 0.03}
@@ -126,7 +127,10 @@ def test_a_flight_begins_in_the_true_trim_and_the_controller_knows_the_nominal_o
     here, there = (p.plant["aero/alpha-rad"] for p in (parts, nominal))
     assert here > there + 0.01, "more lift"
     assert stored(parts.aircraft.nominal) == stored(vtail)
-    told = [_setup(p.scenario, p.aircraft, _start(p.scenario, p.aircraft)) for p in (parts, nominal)]
+    told = [
+        _setup(p.scenario, p.aircraft, trimmed_start(p.aircraft, *start_of(p.scenario)))
+        for p in (parts, nominal)
+    ]
     assert told[0].trim_pitch == told[1].trim_pitch
     assert told[0].trim_commands == told[1].trim_commands
 
