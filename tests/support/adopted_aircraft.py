@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from testbed.studies.benchmark.craft import hangar, provide
+from testbed.studies.benchmark.load import hangar, provide
 
 
 def adopted(model: str, folder: Path) -> Path:

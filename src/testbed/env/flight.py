@@ -27,7 +27,7 @@ from testbed.inputs import overrides
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.yaml_source import Source
 from testbed.reporting.flight import ReportedFlight
-from testbed.scenario.checks import glides
+from testbed.scenario.consistency import glides
 from testbed.scenario.flown import altered
 from testbed.scenario.load import changed, default_at, load_scenario, scenario_from
 from testbed.scenario.model import Command, Scenario

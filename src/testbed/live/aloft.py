@@ -22,12 +22,9 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, Self
+from typing import Any, NoReturn, Protocol, Self
 
 from testbed.inputs.problems import BadInput, Problem
-
-if TYPE_CHECKING:
-    from testbed.live.pilot import Pilot
 
 _LONGEST = 8_000_000  # [bytes]
 _LONG = 50_000  # longer ones are compressed: the system takes about 200 000 bytes at once
@@ -176,6 +173,12 @@ Tell = Callable[[bytes | dict[str, Any]], object]
 _GONE = "the process that flew has ended: start testbed live again"
 
 
+class Flies(Protocol):
+    """What flies in the new process: a `Pilot`."""
+
+    def run(self) -> None: ...
+
+
 class Aloft:
     """A `Pilot` in a process of its own, which nothing of the server can hold up, and which can be forked (see `Copies`).
 
@@ -186,7 +189,7 @@ class Aloft:
 
     _tell: Tell
 
-    def __init__(self, pilot: Callable[[Line], Pilot]) -> None:
+    def __init__(self, pilot: Callable[[Line], Flies]) -> None:
         """`pilot` is called in the new process. Raises BadInput if it does."""
         self._line, theirs = Line.pair()
         self._child = os.fork()
@@ -274,7 +277,7 @@ class Aloft:
                 self._asked.popitem()[1].set_exception(BadInput([Problem(_GONE)]))
 
 
-def _fly(line: Line, pilot: Callable[[Line], Pilot]) -> NoReturn:
+def _fly(line: Line, pilot: Callable[[Line], Flies]) -> NoReturn:
     """Fly, in the new process. Ctrl-C is for the server, which then says nothing more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGHUP, signal.SIG_IGN)

@@ -20,7 +20,7 @@ from testbed.inputs.kinds import refuse_other
 from testbed.inputs.problems import BadInput, Problem, TreePath
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
-from testbed.scenario import checks as scenario_checks
+from testbed.scenario import consistency
 from testbed.scenario.model import Scenario as Scenario
 
 
@@ -62,7 +62,7 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     elif problems:  # of the aircraft: a missing initial condition is no problem of its own then
         tree.setdefault("initial", start)
     stand_ins = {"name": "?", "aircraft": "?", "duration_s": 1e9, "rate_hz": 1, "initial": start}
-    scenario = validated(Scenario, source, lambda s: scenario_checks.check(s, aircraft), stand_ins)
+    scenario = validated(Scenario, source, lambda s: consistency.check(s, aircraft), stand_ins)
     scenario._source = source
     return scenario
 

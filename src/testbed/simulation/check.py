@@ -19,7 +19,7 @@ from testbed.flight.columns import all_columns, columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
 from testbed.plant.first_load import has_record, property_catalog, write_record
-from testbed.scenario.checks import unknown_names
+from testbed.scenario.consistency import unknown_names
 from testbed.scenario.model import Scenario
 
 Start = tuple[float, float, float, float]

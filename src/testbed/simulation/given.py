@@ -19,7 +19,7 @@ from testbed.inputs.problems import Issue, TreePath
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.plant.first_load import property_catalog
-from testbed.scenario.checks import failure_issues, glides, no_altitude
+from testbed.scenario.consistency import failure_issues, glides, no_altitude
 from testbed.scenario.model import Command
 from testbed.sensors.faults import TABLE as FAULTS
 from testbed.sensors.faults import SensorFault

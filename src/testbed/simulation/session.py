@@ -24,7 +24,7 @@ from testbed.flight.flight import Outcome
 from testbed.injection.injector import Planned, mended, with_failure
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.flight import ReportedFlight
-from testbed.scenario.checks import MAX_STEPS
+from testbed.scenario.consistency import MAX_STEPS
 from testbed.scenario.flown import altered, flown_part, longer_scenario
 from testbed.scenario.load import changed, load_scenario
 from testbed.scenario.model import Command, Scenario

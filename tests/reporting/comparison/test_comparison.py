@@ -15,8 +15,9 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import measure, readings
-from testbed.reporting.comparison.compare import compare, names_of
-from testbed.reporting.comparison.page import columns_of, common_rows, groups, on_grid
+from testbed.reporting.comparison.compare import compare
+from testbed.reporting.comparison.differences import common_rows, names_of
+from testbed.reporting.comparison.page import columns_of, groups, on_grid
 from testbed.reporting.words import setting
 
 

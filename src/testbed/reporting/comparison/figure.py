@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from testbed.flight.breakage import failures_of
+from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.page import began, columns_of, of_all
 from testbed.reporting.figures.lines import LOOKS, Mark, Shown
 from testbed.reporting.figures.sheet import Sheet, plain_text, png
@@ -14,14 +14,11 @@ from testbed.reporting.palette import COLOURS
 from testbed.reporting.panels import error_panel, states
 from testbed.reporting.words import broke, joined
 
-if TYPE_CHECKING:
-    from testbed.reporting.comparison.compare import Comparison
-
 _TALL = 1.5  # inches, of a panel
 _MOST_DEG = 360.0  # of heading: a lost aircraft turns and turns
 
 
-def picture(comparison: Comparison) -> bytes:
+def picture(comparison: Compared) -> bytes:
     """The figure as a PNG."""
     log = columns_of(comparison.flights)
     title, end_s = comparison.flights[0].scenario.name, max(float(log["time_s"][-1]), 1e-3)
@@ -33,7 +30,7 @@ def picture(comparison: Comparison) -> bytes:
         return png(Sheet().draw(shown, list(panels), "", _TALL))
 
 
-def _marks(comparison: Comparison) -> Iterator[Mark]:
+def _marks(comparison: Compared) -> Iterator[Mark]:
     """When failures began, and in which flights if not in all, and when each flight was lost, in its colour."""
     for time, having in began(comparison.flights).items():
         every = len(having) == len(comparison.flights)
@@ -46,7 +43,7 @@ def _marks(comparison: Comparison) -> Iterator[Mark]:
             yield Mark(flight.end_time_s, f"{name} lost", own, marker)
 
 
-def _broken(comparison: Comparison) -> str:
+def _broken(comparison: Compared) -> str:
     """What broke an actuator in all of the flights."""
     first = comparison.flights[0]
     failures = failures_of(first.events)

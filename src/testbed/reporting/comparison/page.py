@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from testbed.common.units import unit
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.reporting import html
+from testbed.reporting.comparison.differences import SAME_TIME, Compared
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import can_be_replayed, drawn, group_of, packed
 from testbed.reporting.panels import (
@@ -34,12 +35,7 @@ from testbed.reporting.run_report import definition
 from testbed.reporting.story import story
 from testbed.reporting.words import VERDICTS, rounded, setting
 
-if TYPE_CHECKING:
-    from testbed.reporting.comparison.compare import Comparison
-
-
 _STYLES = 6  # in the palette
-_SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
 _FEW = 3  # flights whose actuators are not folded away
 
 
@@ -61,22 +57,15 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
     return log
 
 
-def common_rows(one: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rows of two logs at the same times, from the times [rows] of each [s]."""
-    near = np.clip(np.searchsorted(other, one - _SAME_TIME), 0, max(len(other) - 1, 0))
-    same = np.abs(other[near] - one) <= _SAME_TIME if len(other) else np.zeros(len(one), dtype=bool)
-    return np.flatnonzero(same), near[same]
-
-
 def on_grid(time: np.ndarray, log: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     """A column of a log at the times of a grid [rows]: its latest row, and NaN after its end."""
     own = log["time_s"]
-    rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
+    rows = np.searchsorted(own, time + SAME_TIME, side="right") - 1
     values = log[name][np.clip(rows, 0, len(own) - 1)]
-    return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
+    return np.where((rows >= 0) & (time <= own[-1] + SAME_TIME), values, np.nan)
 
 
-def groups(comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
+def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
     flights, names = comparison.flights, comparison.keys
     failures = [  # of all flights, or in the colour of each one that they belong to
@@ -125,7 +114,7 @@ def _differences() -> Iterator[Panel]:
         yield Panel(quantity, unit(of.flown), (series,), of.least_error)
 
 
-def of_all(panels: Sequence[Panel], comparison: Comparison, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
+def of_all(panels: Sequence[Panel], comparison: Compared, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
     """Each panel with one series of each flight: what its controller believes, if that is drawn, else the first.
 
     Beside what is believed stands what is true: once where that is the same in all flights, else of each.
@@ -141,7 +130,7 @@ def of_all(panels: Sequence[Panel], comparison: Comparison, log: Mapping[str, np
             yield replace(panel, series=tuple(known), flag="", notes=())
 
 
-def _truths(true: Series, comparison: Comparison, log: Mapping[str, np.ndarray]) -> list[Series]:
+def _truths(true: Series, comparison: Compared, log: Mapping[str, np.ndarray]) -> list[Series]:
     """What is true in each flight, and once what is true in all for as long as they fly."""
     found = {
         i: true._replace(column=f"{i}:{true.column}", label=f"true, {name}")
@@ -159,7 +148,7 @@ def _truths(true: Series, comparison: Comparison, log: Mapping[str, np.ndarray])
 _MOST_COLUMNS = 4  # named where logs differ first
 
 
-def write(comparison: Comparison, file: Path, still: bytes) -> Path:
+def write(comparison: Compared, file: Path, still: bytes) -> Path:
     """Write the page, with a PNG for where its script does not run; returns its file. Raises OSError when it cannot be written."""
     log = columns_of(comparison.flights)
     shown = groups(comparison, log)
@@ -173,7 +162,7 @@ def write(comparison: Comparison, file: Path, still: bytes) -> Path:
     return html.write_page(file, title, parts, "compare.js", {"comparison": data, "columns": columns})
 
 
-def _parts(comparison: Comparison, title: str, shown: list[dict[str, Any]], still: bytes) -> Iterator[Part]:
+def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]], still: bytes) -> Iterator[Part]:
     yield html.opening(title, sentences(comparison))
     replayed = all(can_be_replayed(flight.signals) for flight in comparison.flights)
     panels = [
@@ -191,12 +180,12 @@ def _parts(comparison: Comparison, title: str, shown: list[dict[str, Any]], stil
     yield _settings(comparison)
 
 
-def _flights(comparison: Comparison) -> Iterator[dict[str, Any]]:
+def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
     for key, name, flight in zip(comparison.keys, comparison.names, comparison.flights, strict=True):
         yield {"key": key, "name": name, **drawn(flight, flight.signals)}
 
 
-def sentences(comparison: Comparison) -> list[str]:
+def sentences(comparison: Compared) -> list[str]:
     """How each flight ended, what is set otherwise, and from when on they differ."""
     lines = [_ended(i, comparison) for i in range(len(comparison.flights))]
     differing = _paths(comparison)
@@ -218,7 +207,7 @@ def sentences(comparison: Comparison) -> list[str]:
     return lines
 
 
-def _paths(comparison: Comparison) -> list[str]:
+def _paths(comparison: Compared) -> list[str]:
     """The settings that differ; those of controllers of another type, and requirements, are not named one by one."""
     paths = [each.path for each in comparison.settings]
     whole = {"requirements.": "requirements"}
@@ -228,7 +217,7 @@ def _paths(comparison: Comparison) -> list[str]:
     return [*said, *(setting(path) for path in paths if not path.startswith(tuple(whole)))]
 
 
-def _ended(i: int, comparison: Comparison) -> str:
+def _ended(i: int, comparison: Compared) -> str:
     flight = comparison.flights[i]
     worst = ", ".join(
         f"{flight.metrics[name]:.3g} {unit}"
@@ -243,14 +232,14 @@ def _ended(i: int, comparison: Comparison) -> str:
     return f"{comparison.names[i]}: {flight.verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
-def _stories(comparison: Comparison) -> Iterator[Html]:
+def _stories(comparison: Compared) -> Iterator[Html]:
     yield tag("h2", "Each flight told")
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
         yield tag("h3", html.mark(i), " ", name)
         yield html.listed(story(flight))
 
 
-def _requirements(comparison: Comparison) -> Iterator[Html]:
+def _requirements(comparison: Compared) -> Iterator[Html]:
     verdicts = [{r["name"]: r for r in flight.requirements} for flight in comparison.flights]
     rows = []
     for name in dict.fromkeys(name for one in verdicts for name in one):
@@ -270,7 +259,7 @@ def _requirements(comparison: Comparison) -> Iterator[Html]:
         yield html.table(["requirement", *comparison.keys], ordered, caption)
 
 
-def metrics(comparison: Comparison) -> Iterator[Html]:
+def metrics(comparison: Compared) -> Iterator[Html]:
     """The metrics that differ, and the others folded away."""
     rows: dict[bool, list[Html]] = {True: [], False: []}
     for name, values in comparison.metrics.iterrows():
@@ -288,7 +277,7 @@ def metrics(comparison: Comparison) -> Iterator[Html]:
         yield html.folded("Metrics that are the same", html.table(heads, rows[False]))
 
 
-def _settings(comparison: Comparison) -> Iterator[Html]:
+def _settings(comparison: Compared) -> Iterator[Html]:
     rows = [
         html.row([setting(each.path), *("-" if value is None else str(value) for value in each.values)])
         for each in comparison.settings

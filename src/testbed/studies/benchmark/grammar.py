@@ -14,7 +14,7 @@ from testbed.common.units import GRAVITY_M_S2
 from testbed.failures import TABLE as FAILURES
 from testbed.failures.base import travel_of
 from testbed.studies.benchmark.load import placed
-from testbed.studies.benchmark.model import SHARES, Craft, FailureEntry, Limits, Suite
+from testbed.studies.benchmark.model import SHARES, Craft, FailureEntry, Suite
 from testbed.studies.drawing.distributions import Distribution
 
 Values = dict[str, Any]
@@ -72,7 +72,7 @@ def drawn(suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft)
         "failures": [*slow, *failures],
         "sensors": {"model": model, "faults": [fault]} if fault else model,
         "atmosphere": atmosphere,
-        "requirements": _requirements(suite.limits, craft.span_m, airspeed),
+        "requirements": suite.limits.requirements(craft.span_m, airspeed),
     }
     groups = {
         "aircraft": name,
@@ -106,15 +106,6 @@ def _truth(
     held = {f"{each.prefix}/servo-lag-rad_sec": _short(each.lag_rad_s * factor) for each in servos}
     slowed: list[Values] = [{"type": "property", "at_s": 0.0, "set": held}] if slow else []
     return {"name": place, **changes} if changes else place, slowed
-
-
-def _requirements(limits: Limits, span_m: float, airspeed_m_s: float) -> list[Values]:
-    """The requirements that a flight meets if it is held."""
-    altitude = _short(limits.altitude_spans * span_m + limits.altitude_s * airspeed_m_s)
-    return [
-        {"name": "altitude", "metric": "altitude_error_max_m", "at_most": altitude},
-        {"name": "heading", "metric": "heading_error_max_deg", "at_most": limits.heading_deg},
-    ]
 
 
 def _references(suite: Suite, dice: Dice, craft: Craft, initial: Values) -> Values:

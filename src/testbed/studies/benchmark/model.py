@@ -8,11 +8,12 @@ from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from testbed.controllers.config import AnyController
 from testbed.failures import TABLE as FAILURES
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
+from testbed.inputs.base import Number, Positive, Settings, Text, refuse
 from testbed.inputs.problems import guess
 from testbed.inputs.yaml_source import describe
 from testbed.sensors.faults import TABLE as SENSOR_FAULTS
 from testbed.sensors.settings import PRESETS
+from testbed.studies.benchmark.limits import Limits
 from testbed.studies.drawing.distributions import Distribution
 from testbed.studies.model import Study
 
@@ -203,17 +204,6 @@ class Failures(Settings):
     back_after_s: Numbers
     """How long after its end a failure comes back [s]."""
     types: Annotated[tuple[FailureEntry, ...], Field(min_length=1)]
-
-
-class Limits(Settings):
-    """A flight is held if it is flown to the end and never farther from its references than this."""
-
-    altitude_spans: NonNegative
-    """Distance from the reference of altitude in wing spans, to which is added:"""
-    altitude_s: NonNegative
-    """how far the aircraft flies in this time [s] at the airspeed with which it begins."""
-    heading_deg: Positive
-    """Distance from the reference of heading [deg]."""
 
 
 class Suite(Settings):

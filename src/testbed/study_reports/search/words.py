@@ -13,7 +13,7 @@ from testbed.air.config import COLUMNS
 from testbed.common.statistics import proportion
 from testbed.common.units import unit
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison.compare import settings_by_path
+from testbed.reporting.comparison.differences import settings_by_path
 from testbed.reporting.words import broke, joined, number
 
 Summary = Mapping[str, Any]

@@ -11,7 +11,7 @@ from scenario_files import GOOD, problems_of
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import data_root
 from testbed.inputs.problems import BadInput, Problem
-from testbed.scenario.checks import unknown_names
+from testbed.scenario.consistency import unknown_names
 from testbed.scenario.load import load_scenario
 
 TEXT = """\
