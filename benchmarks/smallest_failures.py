@@ -255,11 +255,18 @@ def _best(own: Mapping[str, Mapping[str, Any]]) -> str:
     return ", ".join(near) if most > 0.0 else "none"
 
 
+def alone(rows: Sequence[Mapping[str, Any]]) -> str:
+    """For how many types each controller alone breaks last."""
+    kinds = {row["failure"]: None for row in rows}
+    last = [_best(_by_controller(name, rows)) for name in kinds]
+    return ", ".join(f"`{name}` at {last.count(name)}" for name in COMPARED) + f" of {len(last)} types"
+
+
 def page(rows: Sequence[Mapping[str, Any]]) -> str:
     """The page of the documentation."""
     made = [row for row in rows if int(row["budget"]) == BUDGET]
     said = {"searches": len(made), "flights": sum(int(row["flights"]) for row in made), "seed": SEED, "at_s": FAILURE_S,
-            "sd": GUST_M_S, "budget": BUDGET, "check": CHECK, "beside": BESIDE, "apart": APART}  # fmt: skip
+            "alone": alone(made), "sd": GUST_M_S, "budget": BUDGET, "check": CHECK, "beside": BESIDE, "apart": APART}  # fmt: skip
     return _PAGE.format(**said, table="\n".join(table(rows)))
 
 
@@ -278,16 +285,17 @@ Broken means an altitude error above 3 m, a heading error above 8 deg, or the lo
 The number is the distance, in standard deviations of these distributions, from no failure and no gust to the nearest flight
 that breaks a requirement: larger is better. In brackets is what this flight has: the severity, the gust in m/s
 towards north and down, and, unless all do, how many of {beside} flights beside it break a requirement too. These {beside} are
-{apart:g} standard
-deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a failure that stands
-alone among flights that pass, hardly any. *Breaks last* names all controllers within 5 % of the largest distance. The last
-column is the distance found over that of a search of at most {check} flights with the same seed, where one was made.
+{apart:g} standard deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a
+failure that stands alone among flights that pass, hardly any. *Breaks last* names all controllers within 5 %
+of the largest distance. The last column is the distance found over that of a search of at most {check} flights with the
+same seed, where one was made.
 
 {table}
 
-With `none` the gust alone does it; it also counts for a failure with a severity, where it was the nearest. Where a failure's
-distance is about that of `none`, it is the gust that breaks, and not the failure. It can also be larger, since a controller may
-fly otherwise after a failure. *Breaks without a gust* can be by little: a reversal leads `default` to 10 deg of heading.
+Breaks last alone: {alone}. With `none` the gust alone does it; it also counts for a failure
+with a severity, where it was the nearest. Where a failure's distance is about that of `none`, it is the gust that breaks, and
+not the failure. It can also be larger, since a controller may fly otherwise after a failure. *Breaks without a gust* can
+be by little: a reversal leads `default` to 10 deg of heading.
 Distances of different failures are not to be compared: each has a severity with a range of its own.
 """
 

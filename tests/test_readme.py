@@ -87,6 +87,10 @@ SAID = {
         r"(?s)It does not hold (\d+ of \d+ draws) .*"
         r"## The nearest.*?Of (\d+) draws `default` holds (\S+) .*?`indi_monitor`, holds (\S+): (\S+ \(\S+ to \S+\))\.",
     ),
+    "smallest_failures": (
+        r"`indi` breaks later\]\S+ at (\d+) of (\d+) types of failure, the default at (\d+)\.",
+        r"Breaks last alone: `default` at (?=\d+, `indi` at (\d+) of (\d+) types)(\d+)",
+    ),
     "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
     "gallery": (
         r"Of (\d+) lost ailerons .*\[(\d+) are held\]\S+ and (\d+) survived; "
