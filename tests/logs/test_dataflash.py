@@ -15,8 +15,8 @@ from command_line import in_this_process
 from pymavlink.DFReader import DFReader_binary
 
 from testbed.inputs.problems import BadInput
-from testbed.logs import autopilots
-from testbed.logs.autopilots import dataflash_columns as columns
+from testbed.logs import autopilot_logs
+from testbed.logs.autopilot_logs import dataflash_columns as columns
 
 from .conftest import AT_S, Run
 
@@ -202,6 +202,6 @@ def test_a_log_made_to_harm_is_refused_in_words(tmp_path: Path, content: bytes, 
 
 
 def test_a_log_of_too_many_messages_is_refused(content: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(autopilots, "_MOST", 1000)
+    monkeypatch.setattr(autopilot_logs, "_MOST", 1000)
     with pytest.raises(BadInput, match="has more than 1000 messages"):
         columns(Path("log.bin"), content, ["IMU.TimeUS"], "IMU.TimeUS")

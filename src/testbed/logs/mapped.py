@@ -17,7 +17,7 @@ from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Issue, Problem, guess, unknown
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
-from testbed.logs import autopilots
+from testbed.logs import autopilot_logs
 from testbed.logs.flight_log import (
     GLOBE,
     MOST_ROWS,
@@ -186,10 +186,10 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
         raise bad("is empty", file, expected=_EXPECTED)
     if what := next((words for start, words in _NO_LOG.items() if content.startswith(start)), ""):
         raise bad(what, file, expected=_EXPECTED)
-    if content.startswith(autopilots.DATAFLASH):
-        return autopilots.dataflash_columns(file, content, names, time)
-    if content.startswith(autopilots.ULOG):
-        return autopilots.ulog_columns(file, content, names, time)
+    if content.startswith(autopilot_logs.DATAFLASH):
+        return autopilot_logs.dataflash_columns(file, content, names, time)
+    if content.startswith(autopilot_logs.ULOG):
+        return autopilot_logs.ulog_columns(file, content, names, time)
     try:
         if content[:4] == b"PAR1":
             parquet = pq.ParquetFile(io.BytesIO(content))

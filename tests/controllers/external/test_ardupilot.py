@@ -16,7 +16,7 @@ from scripts import runnable
 
 import testbed
 from testbed.__main__ import main
-from testbed.controllers.external import ardupilot, mavlink
+from testbed.controllers.external import ardupilot, mavlink_frames
 from testbed.controllers.external.ardupilot_parameters import Outputs, given, written
 from testbed.controllers.external.reference import load
 from testbed.controllers.user.own import own_controllers
@@ -169,14 +169,16 @@ def test_one_that_has_flown_no_step_is_closed():
 
 def test_frames_are_those_of_mavlink():
     decoder = common.MAVLink(None)
-    arm = decoder.decode(bytearray(mavlink.command_long(7, mavlink.ARM, 1, 21196)))
+    arm = decoder.decode(bytearray(mavlink_frames.command_long(7, mavlink_frames.ARM, 1, 21196)))
     assert (arm.command, arm.param1, arm.param2, arm.target_system) == (400, 1, 21196, 1)
-    climb = decoder.decode(bytearray(mavlink.command_int(300, mavlink.CHANGE_ALTITUDE, z=310.5)))
+    climb = decoder.decode(
+        bytearray(mavlink_frames.command_int(300, mavlink_frames.CHANGE_ALTITUDE, z=310.5))
+    )
     assert (climb.command, climb.z, climb.frame) == (43001, 310.5, 0)
     assert climb.get_seq() == 300 % 256
-    asked = decoder.decode(bytearray(mavlink.parameter_request(1, "SIXTEEN_LETTERS_")))
+    asked = decoder.decode(bytearray(mavlink_frames.parameter_request(1, "SIXTEEN_LETTERS_")))
     assert (asked.param_id, asked.param_index) == ("SIXTEEN_LETTERS_", -1)
-    assert decoder.decode(bytearray(mavlink.parameter_list(2))).get_type() == "PARAM_REQUEST_LIST"
+    assert decoder.decode(bytearray(mavlink_frames.parameter_list(2))).get_type() == "PARAM_REQUEST_LIST"
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from pymavlink.dialects.v20 import common
 from scripts import runnable
 
 import testbed
-from testbed.controllers.external import mavlink, px4
+from testbed.controllers.external import mavlink_frames, px4
 from testbed.controllers.external.ardupilot_parameters import given
 from testbed.controllers.external.px4 import written
 from testbed.controllers.external.reference import load
@@ -173,18 +173,20 @@ def test_parameters_follow_from_the_aircraft(aircraft, airspeed, surfaces, tmp_p
 def test_frames_are_those_of_mavlink():
     decoder = common.MAVLink(None)
     sensor = decoder.decode(
-        bytearray(mavlink.hil_sensor(1, 5000, *range(9), 900.0, 2.0, 300.0, 13.0, fields=0x1FFF))
+        bytearray(mavlink_frames.hil_sensor(1, 5000, *range(9), 900.0, 2.0, 300.0, 13.0, fields=0x1FFF))
     )
     assert (sensor.time_usec, sensor.zacc, sensor.zmag, sensor.abs_pressure) == (5000, 2.0, 8.0, 900.0)
     assert (sensor.diff_pressure, sensor.temperature, sensor.fields_updated) == (2.0, 13.0, 0x1FFF)
-    fix = decoder.decode(bytearray(mavlink.hil_gps(2, 5000, 450000001, -3, 300500, 1800, 1790, -20, 5)))
+    fix = decoder.decode(
+        bytearray(mavlink_frames.hil_gps(2, 5000, 450000001, -3, 300500, 1800, 1790, -20, 5))
+    )
     assert (fix.lat, fix.lon, fix.alt, fix.vel, fix.ve, fix.fix_type) == (450000001, -3, 300500, 1800, -20, 3)
-    path = decoder.decode(bytearray(mavlink.path_target(3, 1.0, 2.0, -3.0, 4.0, 5.0, 6.0)))
+    path = decoder.decode(bytearray(mavlink_frames.path_target(3, 1.0, 2.0, -3.0, 4.0, 5.0, 6.0)))
     assert (path.z, path.vx, path.vz, path.type_mask, path.coordinate_frame) == (-3.0, 4.0, 6.0, 0xDC0, 1)
-    assert decoder.decode(bytearray(mavlink.heartbeat(4))).type == common.MAV_TYPE_GCS
+    assert decoder.decode(bytearray(mavlink_frames.heartbeat(4))).type == common.MAV_TYPE_GCS
     said = common.MAVLink_hil_actuator_controls_message(7000, [0.5] * 16, 128, 1).pack(common.MAVLink(None))
-    ((number, payload, end),) = mavlink.frames(said + said[:20])
-    assert (number, end) == (93, len(said)) and mavlink.actuator_controls(payload)[:2] == (7000, True)
+    ((number, payload, end),) = mavlink_frames.frames(said + said[:20])
+    assert (number, end) == (93, len(said)) and mavlink_frames.actuator_controls(payload)[:2] == (7000, True)
 
 
 def test_its_compass_points_north():

@@ -21,7 +21,7 @@ import numpy as np
 
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
-from testbed.controllers.external import mavlink
+from testbed.controllers.external import mavlink_frames
 from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, given, text, written
 from testbed.controllers.external.process import START_S, STEP_S, Autopilot
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
@@ -105,9 +105,9 @@ class ArduPilot(Autopilot):
                 self._ask()
             if step == arm:
                 self._refuse_unknown(sensed)
-                self._command(mavlink.ARM, 1, mavlink.FORCE)
+                self._command(mavlink_frames.ARM, 1, mavlink_frames.FORCE)
             if step == guided:
-                self._command(mavlink.SET_MODE, 1, _GUIDED)
+                self._command(mavlink_frames.SET_MODE, 1, _GUIDED)
             if step == setpoints:
                 self._set(reference)
             self._exchange(_holding(sensed, self._pitch, self._time_s))
@@ -118,8 +118,8 @@ class ArduPilot(Autopilot):
         due = math.ceil(len(self._asks) * min((self._time_s + _ASK_S) / _ASKING_S, 1.0))
         for name in self._asks[self._asked : max(due, 0)]:
             if not self._asked:
-                self._command(mavlink.SET_INTERVAL, mavlink.PARAM_VALUE, _ANSWERS_US)
-            self._send(mavlink.parameter_request(self._sent, name))
+                self._command(mavlink_frames.SET_INTERVAL, mavlink_frames.PARAM_VALUE, _ANSWERS_US)
+            self._send(mavlink_frames.parameter_request(self._sent, name))
             self._asked += 1
         if self._asked:
             self._has.update(self._named())
@@ -128,7 +128,7 @@ class ArduPilot(Autopilot):
         """Raise BadInput if it has not answered for a parameter; it is asked for all that it has, to say which was meant."""
         if not (unknown := [name for name in self._asks if name not in self._has]):
             return
-        self._send(mavlink.parameter_list(self._sent))
+        self._send(mavlink_frames.parameter_list(self._sent))
         for _ in range(round(_LISTING_S / self._dt)):
             self._exchange(_holding(sensed, self._pitch, self._time_s))
             self._has.update(self._named())
@@ -142,12 +142,12 @@ class ArduPilot(Autopilot):
         with contextlib.suppress(OSError):  # there is no more
             while data := self._link.recv(1 << 16):
                 with contextlib.suppress(ValueError):  # nothing else that it says counts
-                    for number, payload, _ in mavlink.frames(data):
-                        if number == mavlink.PARAM_VALUE:
-                            yield mavlink.parameter_name(payload)
+                    for number, payload, _ in mavlink_frames.frames(data):
+                        if number == mavlink_frames.PARAM_VALUE:
+                            yield mavlink_frames.parameter_name(payload)
 
     def _command(self, command: int, *parameters: float) -> None:
-        self._send(mavlink.command_long(self._sent, command, *parameters))
+        self._send(mavlink_frames.command_long(self._sent, command, *parameters))
 
     def _set(self, reference: Reference) -> None:
         """Send the setpoints that have moved."""
@@ -158,11 +158,15 @@ class ArduPilot(Autopilot):
 
     def _setpoint(self, name: str, value: float) -> bytes:
         if name == "altitude":
-            return mavlink.command_int(self._sent, mavlink.CHANGE_ALTITUDE, z=value)
+            return mavlink_frames.command_int(self._sent, mavlink_frames.CHANGE_ALTITUDE, z=value)
         if name == "airspeed":
-            return mavlink.command_int(self._sent, mavlink.CHANGE_SPEED, 0, value * self._to_equivalent)
+            return mavlink_frames.command_int(
+                self._sent, mavlink_frames.CHANGE_SPEED, 0, value * self._to_equivalent
+            )
         degrees = math.degrees(value) % 360.0
-        return mavlink.command_int(self._sent, mavlink.CHANGE_HEADING, 1, degrees, _LATERAL_LIMIT_M_S2)
+        return mavlink_frames.command_int(
+            self._sent, mavlink_frames.CHANGE_HEADING, 1, degrees, _LATERAL_LIMIT_M_S2
+        )
 
     def _send(self, frame: bytes) -> None:
         """Send a MAVLink frame to where the autopilot's own come from."""

@@ -26,7 +26,7 @@ from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.config import PidSettings
 from testbed.controllers.external import ardupilot_parameters as conventional
-from testbed.controllers.external import mavlink
+from testbed.controllers.external import mavlink_frames
 from testbed.controllers.external.ardupilot_parameters import SEA_LEVEL_KG_M3, density_ratio, given, text
 from testbed.controllers.external.process import CONSOLE, START_S, STEP_S, Autopilot
 from testbed.controllers.pid import suited
@@ -141,8 +141,12 @@ class PX4(Autopilot):
                 self._set(reference, sensed)
             if step in (arm, offboard):
                 first = step == arm
-                command = (mavlink.ARM, 1, mavlink.FORCE) if first else (mavlink.SET_MODE, 1, _OFFBOARD)
-                self._send(mavlink.command_long(self._sent, *command))
+                command = (
+                    (mavlink_frames.ARM, 1, mavlink_frames.FORCE)
+                    if first
+                    else (mavlink_frames.SET_MODE, 1, _OFFBOARD)
+                )
+                self._send(mavlink_frames.command_long(self._sent, *command))
             still = (0.0, self._pitch, sensed.heading)
             self._controls(self._say(sensed, (0.0,) * 3, force, still, self._time_s))
 
@@ -151,7 +155,7 @@ class PX4(Autopilot):
         until_s = time.monotonic() + START_S
         while time.monotonic() < until_s:
             self._say(sensed, (0.0,) * 3, force, (0.0, self._pitch, sensed.heading), -WARM_UP_S)
-            if any(number == mavlink.HIL_ACTUATOR_CONTROLS for number, _ in self._heard(_BOOT_STEP_S)):
+            if any(number == mavlink_frames.HIL_ACTUATOR_CONTROLS for number, _ in self._heard(_BOOT_STEP_S)):
                 return
         raise self._problem(f"has sent no controls within {START_S:g} s")
 
@@ -165,12 +169,12 @@ class PX4(Autopilot):
         here = (sensed.north - self._first[0], sensed.east - self._first[1], down)
         speed = reference.airspeed
         velocity = (speed * math.cos(course), speed * math.sin(course), -reference.altitude_rate)
-        self._send(mavlink.heartbeat(self._sent))
-        self._send(mavlink.path_target(self._sent, *here, *velocity))
+        self._send(mavlink_frames.heartbeat(self._sent))
+        self._send(mavlink_frames.path_target(self._sent, *here, *velocity))
         if reference.airspeed != self._airspeed:
             self._airspeed = reference.airspeed
             equivalent = reference.airspeed * math.sqrt(density_ratio(sensed.pressure, sensed.temperature))
-            self._send(mavlink.command_long(self._sent, mavlink.PLAIN_SPEED, 0, equivalent, -1))
+            self._send(mavlink_frames.command_long(self._sent, mavlink_frames.PLAIN_SPEED, 0, equivalent, -1))
 
     def _send(self, frame: bytes) -> None:
         self._link.sendto(frame, self._its_link)
@@ -181,8 +185,8 @@ class PX4(Autopilot):
         until_s = time.monotonic() + STEP_S
         while (left_s := until_s - time.monotonic()) > 0.0:
             for number, payload in self._heard(left_s):
-                if number == mavlink.HIL_ACTUATOR_CONTROLS:
-                    at_us, self._armed, controls = mavlink.actuator_controls(payload)
+                if number == mavlink_frames.HIL_ACTUATOR_CONTROLS:
+                    at_us, self._armed, controls = mavlink_frames.actuator_controls(payload)
                     if at_us >= said_us and all(map(math.isfinite, controls)):
                         return controls
                     if at_us >= said_us:
@@ -212,9 +216,9 @@ class PX4(Autopilot):
             sensed.altitude,
             sensed.temperature - 273.15,
         )
-        said = mavlink.hil_sensor(self._frames, time_us, *inertial, *field, *air, fields=_ALL)
+        said = mavlink_frames.hil_sensor(self._frames, time_us, *inertial, *field, *air, fields=_ALL)
         if self._frames % max(round(_EVERY_S / self._dt), 1) == 1:
-            said = mavlink.hil_gps(self._frames, time_us, *_fix(sensed, before_s)) + said
+            said = mavlink_frames.hil_gps(self._frames, time_us, *_fix(sensed, before_s)) + said
         with contextlib.suppress(OSError):  # its death is noticed when it is listened to
             self._stream.sendall(said)
         return time_us
@@ -234,7 +238,7 @@ class PX4(Autopilot):
         self._rest += read
         end = 0
         try:
-            for number, payload, ends in mavlink.frames(self._rest):
+            for number, payload, ends in mavlink_frames.frames(self._rest):
                 end = ends
                 yield number, payload
         except ValueError as error:
