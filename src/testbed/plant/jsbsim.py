@@ -61,14 +61,16 @@ class _Listener(jsbsim.FGLogger):
             self.warnings.append(message.strip())
 
 
-class _FirstLogger:
-    """Gives a thread that ends its first logger back: a Python one would be released without the interpreter's lock, and abort."""
+_LASTING = jsbsim.get_logger()
+"""A logger that is never released."""
 
-    def __init__(self) -> None:
-        self._first = jsbsim.get_logger()
+
+class _Release:
+    """Gives a thread that ends the lasting logger. Another would be released after the thread, without the interpreter's lock,
+    and abort. That includes the one with which the thread began: the listener of whoever flew last in any thread."""
 
     def __del__(self) -> None:
-        jsbsim.set_logger(self._first)
+        jsbsim.set_logger(_LASTING)
 
 
 _thread = threading.local()
@@ -89,8 +91,8 @@ def opened(folder: Path, model: str, physics_hz: float) -> tuple[Any, list[str]]
     It must be known that the model does not end the process, or this process must be one that may end.
     """
     listener = _Listener()
-    if threading.current_thread() is not threading.main_thread() and not hasattr(_thread, "first"):
-        _thread.first = _FirstLogger()
+    if threading.current_thread() is not threading.main_thread() and not hasattr(_thread, "release"):
+        _thread.release = _Release()
     jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
     jsbsim.FGJSBBase().debug_lvl = 0
     fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
