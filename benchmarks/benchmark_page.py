@@ -158,7 +158,9 @@ def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] =
     _, lines = cut(markdown(summary), "## What the parts of")
     before = summary["law_sha256"]
     other = "" if before == law else f", seed {summary['seed']}{_with_another(before)}"
-    return ["", *lines, f"Of the first {summary['draws']} draws{other}.", *where_they_act(acts, law)]
+    held = summary["scores"]["default"]["held"]["estimate"]
+    of_all = f"Of the first {summary['draws']} draws, of which `default` holds {held:.3f}{other}."
+    return ["", *lines, of_all, *where_they_act(acts, law)]
 
 
 def _with_another(law: str) -> str:
@@ -169,10 +171,10 @@ def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[st
     """A table of what single parts bring in the kinds of flights that they are for: differences from the default."""
     if not summaries:
         return
-    first, harm = summaries[0], []
+    first, harm, unclear = summaries[0], [], []
     yield ""
     other = "" if first["law_sha256"] == law else _with_another(first["law_sha256"])
-    yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}{other}, minus `default`."
+    yield f"Where they act: of each {first['draws']} draws with these failures alone, seed {first['seed']}{other}, minus `default`."
     yield from ("", "| flights | without | survived | held | inside |", "| --- | --- | --- | --- | --- |")
     for summary in summaries:
         for name in summary["ablated"]:
@@ -182,8 +184,12 @@ def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[st
             yield f"| {flights} | {parts} | {' | '.join(cells)} |"
             if against["held"]["low"] > 0.0:
                 harm.append(f"{parts} on {flights}")
+            elif against["held"]["high"] >= 0.0:
+                unclear.append(f"{parts} on {flights}")
     if harm:
         yield from ("", f"**More is held without** {', '.join(harm)}.")
+    if unclear:
+        yield from ("", f"In *held* these are not clear of zero: {', '.join(unclear)}.")
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import testbed
-from testbed.common.statistics import proportion
+from testbed.common.statistics import Proportion, proportion
 from testbed.studies.folder import store
 from testbed.studies.search.plan import coordinates
 from testbed.studies.search.run import failed
@@ -116,18 +116,32 @@ def page(out: Path) -> str:
     rows = [_row(CHECKED, "plain", PLAIN_SEED, known.estimate, (known.low, known.high),
                  math.sqrt((1 - known.estimate) / max(failures, 1)), flights)]  # fmt: skip
     return _PAGE.format(case=CASE, checked=CHECKED, rare=RARE, failures=failures, flights=flights, budget=BUDGET,
-                        cov=COV, table="\n".join([*_HEAD, *rows, *_searched(out)]))  # fmt: skip
+                        cov=COV, agreement=_agreement(out, known), table="\n".join([*_HEAD, *rows, *_searched(out)]))  # fmt: skip
+
+
+def _agreement(out: Path, known: Proportion) -> str:
+    """How the searches of the checked case compare with plain sampling, in a sentence."""
+    found = [said for limits, *_, said in _ended(out) if limits is CHECKED]
+    inside = sum(said["low"] <= known.high and known.low <= said["high"] for said in found)
+    ratios = [said["estimate"] / known.estimate for said in found]
+    return (
+        f"Of the {len(found)} searches of the same limits the intervals of {inside} overlap its own; their probabilities are "
+        f"{min(ratios):.2f} to {max(ratios):.2f} of its."
+    )
 
 
 def _searched(out: Path) -> Iterator[str]:
+    for limits, method, seed, known in _ended(out):
+        ends, cov = (known["low"], known["high"]), known["coefficient_of_variation"]
+        yield _row(limits, method, seed, known["estimate"], ends, cov, known["flights"])
+
+
+def _ended(out: Path) -> Iterator[tuple[Limits, str, int, dict[str, Any]]]:
+    """The searches that have ended, those that plain sampling checks first, each with its probability."""
     for limits, method, seed in sorted(SEARCHES, key=lambda one: one[0] is RARE):
         file = _folder(out, limits, method, seed) / "summary.json"
         if file.is_file():
-            said: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
-            known = said["probability"]
-            ends = known["low"], known["high"]
-            cov = known["coefficient_of_variation"]
-            yield _row(limits, method, seed, known["estimate"], ends, cov, known["flights"])
+            yield limits, method, seed, json.loads(file.read_text(encoding="utf-8"))["probability"]
 
 
 def _row(limits: Limits, method: str, seed: int, estimate: float, ends: tuple[float, float], cov: float,
@@ -151,14 +165,16 @@ This page checks the probability of a rare failure, as a search finds it, agains
 
 The case is `{case}`: INDI flies the v-tail at 18 m/s, the left propeller is lost, and two gusts come. Nine values are drawn:
 when the propeller fails, when each gust comes, and its velocity north, east and down. A flight of 6 s is broken when it
-misses the altitude or the heading by more than a limit: {checked} in the first rows, {rare} in the others. All searches
-may make {budget} flights, and end at a coefficient of variation (c.o.v.) of {cov:g}. Measured by
+misses the altitude or the heading by more than a limit: {checked} in the first rows, {rare} in the others. A search
+ends when its coefficient of variation (c.o.v.) is at most {cov:g}, looked at after each of its rounds, or with its {budget}
+flights. Measured by
 `python benchmarks/rare_flights.py --out runs/rare_flights`.
 
 {table}
 
-Plain sampling had {failures} failures in {flights} flights. It cannot check the rarer case, for which it would need as many flights
-as the last column says: so many give the same coefficient of variation.
+Plain sampling had {failures} failures in {flights} flights. {agreement}
+It cannot check the rarer case, for which it would need as many flights as the last column says: so many give the same
+coefficient of variation.
 """
 
 

@@ -94,7 +94,7 @@ SAID = {
     "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
     "gallery": (
         r"Of (\d+) lost ailerons .*\[(\d+) are held\]\S+ and (\d+) survived; "
-        r"of (\d+) lost elevators (\d+), (\d+) survived; of (\d+) healthy flights (\d+), (\d+) survived",
+        r"of (\d+) lost elevators (\d+) held, (\d+) survived; of (\d+) healthy flights (\d+) held, (\d+) survived",
         ".*".join(
             rf"(?s:.*?)\| {lost} \| {air} \| default \| \d+ \| (\d+) \| (\d+) .*?\| (\d+) \("
             for lost, air in (("aileron", "turbulent"), ("elevator", "turbulent"), ("nothing", "turbulent"))

@@ -5,8 +5,8 @@ import pytest
 
 from testbed.adoption.bench import Bench, write
 from testbed.adoption.blocks import cut, prefix_of
-from testbed.adoption.controls import find_propulsors, find_surfaces, write_engines
-from testbed.adoption.source import find_source, package_root, read_whole
+from testbed.adoption.controls import find_propulsors, find_surfaces
+from testbed.adoption.source import find_source, package_root, read_whole, write_engines
 from testbed.adoption.wiring import STICKS
 
 AIRSPEED_M_S, ALTITUDE_M, ALPHA = 60.0, 1000.0, 0.05

@@ -2,8 +2,8 @@
 
 import pytest
 
-from testbed.adoption.controls import engine_files, find_propulsors
-from testbed.adoption.source import find_source, package_root, read_whole
+from testbed.adoption.controls import find_propulsors
+from testbed.adoption.source import engine_files, find_source, package_root, read_whole
 
 
 def found(model):

@@ -10,7 +10,7 @@ import pytest
 from short_flights import scenario, worst_errors
 from vtail_setup import vtail_setup
 
-from testbed.controllers.augmentation import adapt_row, mrac, unknown
+from testbed.controllers.augmentation import adapt_theta_row, mrac, theta_effect
 from testbed.controllers.config import MracSettings
 from testbed.simulation import fly
 
@@ -24,21 +24,21 @@ def learnt(unknown_rate: float, seconds: float, **settings: float) -> Any:
     h.phi[0], p = 1.0, 0.0
     for _ in range(round(seconds / DT)):
         h.e[0] = p - h.x_ref[0]
-        h.x_ref[0] += DT * (unknown(0, h) + h.l[0] * h.e[0])
-        adapt_row(0, DT, h)
+        h.x_ref[0] += DT * (theta_effect(0, h) + h.l[0] * h.e[0])
+        adapt_theta_row(0, DT, h)
         p += DT * unknown_rate
     return h
 
 
 def test_an_unknown_rate_is_found() -> None:
     h = learnt(2.0, 10.0, e_modification=0.0)
-    assert unknown(0, h) == pytest.approx(2.0, abs=0.01)
+    assert theta_effect(0, h) == pytest.approx(2.0, abs=0.01)
     assert not h.Theta[1:].any()
 
 
 def test_without_adaptation_it_is_not() -> None:
     """Negative control: the reference model's error alone does not tell."""
-    assert abs(unknown(0, learnt(2.0, 10.0, adaptation=1e-9))) < 1e-3
+    assert abs(theta_effect(0, learnt(2.0, 10.0, adaptation=1e-9))) < 1e-3
 
 
 def test_parameters_stay_within_their_bound() -> None:
@@ -53,7 +53,7 @@ def test_the_e_modification_leaks() -> None:
         h.Theta[0, 3], h.phi[:] = 1.0, 0.0
         for i in range(2000):
             h.e[0] = 0.1 * (-1) ** i
-            adapt_row(0, DT, h)
+            adapt_theta_row(0, DT, h)
     assert fades.Theta[0, 3] < 0.5
     assert stays.Theta[0, 3] == pytest.approx(1.0)
 

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from scenario_files import GOOD, problems_of
 
 import testbed
-from testbed.flight.requirements import judge, robustness
+from testbed.flight.requirements import formula_robustness, judge
 from testbed.scenario.requirement import Requirement, parse
 
 RATE_HZ, ROWS = 2.0, 60
@@ -25,7 +25,7 @@ def log(seed: int) -> dict[str, np.ndarray]:
 
 
 def first(text: str, seed: int = 0) -> float:
-    return float(robustness(parse(text), log(seed), RATE_HZ)[0])
+    return float(formula_robustness(parse(text), log(seed), RATE_HZ)[0])
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -51,14 +51,14 @@ def test_until_by_brute_force(seed: int) -> None:
     def until(k: int, ahead: range) -> float:
         return max(min([(y - 1)[k + j], *(x + 2)[k : k + j]]) for j in ahead)
 
-    bounded = robustness(parse("until[0.5,3](x > -2, y > 1)"), log(seed), RATE_HZ)
+    bounded = formula_robustness(parse("until[0.5,3](x > -2, y > 1)"), log(seed), RATE_HZ)
     assert bounded.tolist() == [until(k, range(1, 7)) for k in range(ROWS - 6)]
-    endless = robustness(parse("until(x > -2, y > 1)"), log(seed), RATE_HZ)
+    endless = formula_robustness(parse("until(x > -2, y > 1)"), log(seed), RATE_HZ)
     assert endless.tolist() == [until(k, range(ROWS - k)) for k in range(ROWS)]
     assert first("always[0:4](until[0:2](x > y, y > 0))", seed) == min(
         max(min([y[k + j], *(x - y)[k : k + j]]) for j in range(5)) for k in range(9)
     )
-    assert len(robustness(parse("until[0:90](x > y, y > 0)"), log(seed), RATE_HZ)) == 0
+    assert len(formula_robustness(parse("until[0:90](x > y, y > 0)"), log(seed), RATE_HZ)) == 0
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="rtamt's parser does not run on Python 3.13")
@@ -151,6 +151,6 @@ def test_no_formula_takes_long() -> None:
     """The largest window in the longest log costs no more than the log."""
     x = np.zeros(200_000)
     nested = "always[0:100](" * 5 + "x > 1" + ")" * 5
-    found = robustness(parse(nested), {"time_s": x, "x": x}, 200.0)
+    found = formula_robustness(parse(nested), {"time_s": x, "x": x}, 200.0)
     assert len(found) == 200_000 - 5 * 20_000 and math.isclose(found[0], -1.0)
     assert not list(itertools.filterfalse(lambda v: v == -1.0, found[:100]))

@@ -1,4 +1,4 @@
-"""The flying functions of `l1` and of the paper's law have the speed and the variance of their poles."""
+"""The flying functions of `l1_inversion` and of the paper's law have the speed and the variance of their poles."""
 
 from __future__ import annotations
 

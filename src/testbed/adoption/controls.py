@@ -1,5 +1,5 @@
 """What can be controlled of a model: the surfaces that its flight control moves and its aerodynamics read, found by moving its
-sticks on the bench; and its engines, with their files, kinds, places and names."""
+sticks on the bench; and its engines, with their kinds, places and names."""
 
 from __future__ import annotations
 
@@ -8,15 +8,13 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
 import numpy as np
 
 from testbed.adoption.bench import MOVED, Bench, StickSweep, swept
-from testbed.adoption.source import Source, found_in, parsed
+from testbed.adoption.source import Source, file_of, parsed
 from testbed.adoption.wiring import POSITIONS, READERS, STICKS, Dynamics, Wiring, bare, dynamics_of, range_of
 from testbed.aircraft.changes import place_of
-from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem
 
 _SECTIONS = ("aerodynamics", "external_reactions")
@@ -100,7 +98,7 @@ def find_surfaces(tree: ET.Element, bench: Bench) -> list[Surface]:
         if known and wiring.turns(group):
             surfaces.append(_surface(tree, sweep, base, group, stick))
     order = [*STICKS, None]
-    return _renamed(sorted(surfaces, key=lambda each: (order.index(each.stick), each.name)))
+    return _surface_names(sorted(surfaces, key=lambda each: (order.index(each.stick), each.name)))
 
 
 def surface_groups(tree: ET.Element) -> dict[str, list[str]]:
@@ -190,7 +188,7 @@ def _extended(
     return tuple(sorted(out))
 
 
-def _renamed(surfaces: list[Surface]) -> list[Surface]:
+def _surface_names(surfaces: list[Surface]) -> list[Surface]:
     """Plain names: a left surface that stands for both sides is named without its side."""
     names = {each.name for each in surfaces}
     out = []
@@ -251,27 +249,7 @@ def find_propulsors(tree: ET.Element, source: Source) -> list[Propulsor]:
                 _throttle(contents),
             )
         )
-    return _named(found)
-
-
-def engine_files(tree: ET.Element, source: Source) -> list[Path]:
-    """Files of all engines and thrusters, each once."""
-    named = [each for each in tree.iter() if each.tag in ("engine", "thruster") and each.get("file")]
-    return list(dict.fromkeys(file_of(each, source) for each in named))
-
-
-def write_engines(tree: ET.Element, source: Source, folder: Path) -> None:
-    """Copy those files into `Engines` in a model's new folder."""
-    (folder / "Engines").mkdir(parents=True)
-    for file in engine_files(tree, source):
-        write_new(folder / "Engines" / file.name, file.read_bytes())
-
-
-def file_of(element: ET.Element, source: Source) -> Path:
-    """The file of an engine or thruster, where JSBSim looks for it; raises BadInput when there is none."""
-    folder = source.folder
-    places = (folder / "Engines", folder / "engine", folder, source.root / "engine")
-    return found_in(places, element.get("file", ""), source)
+    return _engine_names(found)
 
 
 def _direction(thruster: ET.Element) -> tuple[float, float, float]:
@@ -292,7 +270,7 @@ def _throttle(engine: ET.Element) -> tuple[float, float]:
     return 0.0, 0.98 if lights_itself else 1.0
 
 
-def _named(found: list[Propulsor]) -> list[Propulsor]:
+def _engine_names(found: list[Propulsor]) -> list[Propulsor]:
     """One is `engine`, two are left and right, more are numbered from the left, as pilots number them."""
     from_left = sorted(range(len(found)), key=lambda i: (found[i].location_m[1], found[i].number))
     names = ["engine"] if len(found) == 1 else [f"engine_{i + 1}" for i in range(len(found))]

@@ -20,9 +20,8 @@ from testbed.adoption.controls import (
     find_propulsors,
     find_surfaces,
     surface_groups,
-    write_engines,
 )
-from testbed.adoption.source import Source, declare, read_whole
+from testbed.adoption.source import Source, declare, read_whole, write_engines
 from testbed.adoption.wiring import STICKS
 from testbed.aircraft.description import StartStep
 from testbed.common.units import NEWTONS_PER_POUND

@@ -12,8 +12,9 @@ from pathlib import Path
 import yaml
 
 from testbed.adoption.blocks import prefix_of
-from testbed.adoption.controls import ADOPTED, Propulsor, write_engines
+from testbed.adoption.controls import ADOPTED, Propulsor
 from testbed.adoption.draft import Draft, Servo
+from testbed.adoption.source import write_engines
 from testbed.common.writing import write, write_new
 
 Thrusts = Sequence[tuple[float, float]]

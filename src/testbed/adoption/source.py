@@ -1,4 +1,5 @@
-"""The model to adopt: found by name or folder, and read into one tree without references to other files."""
+"""The model to adopt: found by name or folder, and read into one tree without references to other files; and the files of its
+engines."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from pathlib import Path
 
 from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import read_bytes
+from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 FOREIGN = "fg/"
@@ -167,3 +169,23 @@ def declare(tree: ET.Element, values: dict[str, float]) -> None:
         tree.insert(first, system)
     for name, value in values.items():
         ET.SubElement(system, "property", {"value": f"{value:g}"}).text = name
+
+
+def engine_files(tree: ET.Element, source: Source) -> list[Path]:
+    """Files of all engines and thrusters, each once."""
+    named = [each for each in tree.iter() if each.tag in ("engine", "thruster") and each.get("file")]
+    return list(dict.fromkeys(file_of(each, source) for each in named))
+
+
+def write_engines(tree: ET.Element, source: Source, folder: Path) -> None:
+    """Copy those files into `Engines` in a model's new folder."""
+    (folder / "Engines").mkdir(parents=True)
+    for file in engine_files(tree, source):
+        write_new(folder / "Engines" / file.name, file.read_bytes())
+
+
+def file_of(element: ET.Element, source: Source) -> Path:
+    """The file of an engine or thruster, where JSBSim looks for it; raises BadInput when there is none."""
+    folder = source.folder
+    places = (folder / "Engines", folder / "engine", folder, source.root / "engine")
+    return found_in(places, element.get("file", ""), source)

@@ -27,7 +27,7 @@ orthonormal cosines,
 
     n_k = sum over i of c_i phi_i(k), phi_i(k) = sqrt(2/N) cos(pi i (k + 1/2) / N), phi_0(k) = sqrt(1/N)
 
-The c_i of white noise are independent standard normals again. Cosine i has the frequency i / (2 T) in a window of T seconds.
+The c_i of white noise are independent standard normals again. Cosine i has the frequency i / (2 D) in a window of D seconds.
 Cosines are the Karhunen-Loeve basis of a stationary process in a long window, the lowest first: those that give most of
 a gust's variance come first, because its spectrum falls with frequency.
 """

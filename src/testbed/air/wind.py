@@ -155,7 +155,7 @@ class Weather:
                 north + share * velocity[0], east + share * velocity[1], down + share * velocity[2],
             )  # fmt: skip
             if i == self._settled and since_s > rise_s and share in (0.0, 1.0):
-                # It changes no more until then, as those before it: they need not be summed in each step.
+                # Until `until_s` neither this gust nor those before it change: their sum is held.
                 until_s = time_s - since_s + rise_s + hold_s if share else math.inf
                 self._settled += 1
                 self._held, self._held_until_s = (north, east, down), min(self._held_until_s, until_s)

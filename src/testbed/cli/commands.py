@@ -127,7 +127,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             finally:
                 sys.stdout.flush()  # here, so that a full disk is noticed inside this `try`
         except KeyboardInterrupt:
-            return _said(ending.WORDS, INTERRUPTED)
+            return _said(ending.INTERRUPTED_WORDS, INTERRUPTED)
         except Exception as error:
             if os.environ.get(_TRACEBACK):
                 raise

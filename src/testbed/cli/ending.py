@@ -26,7 +26,8 @@ ENDED_EARLY = 3
 INTERRUPTED = 130
 """Ctrl-C, or SIGTERM or SIGHUP: 128 and the number of the signal SIGINT, as shells have it."""
 
-WORDS = "interrupted"
+INTERRUPTED_WORDS = "interrupted"
+"""What is said of it."""
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -113,5 +114,5 @@ def _send_again(swallowed: sys.UnraisableHookArgs) -> None:
 
 def _end(*_: object) -> None:
     with contextlib.suppress(OSError):
-        os.write(2, f"{WORDS}\n".encode())
+        os.write(2, f"{INTERRUPTED_WORDS}\n".encode())
     os._exit(INTERRUPTED)

@@ -1,7 +1,7 @@
 """Controllers: what flies the aircraft, from measured state and references to commands.
 
-A new controller is one file, the class of its settings in `config` with its name in `config.TABLE`, and one line in
-`make.CONSTRUCTORS`.
+A new controller is a class or function in a module here, the class of its settings in `config` with its name in `config.TABLE`,
+and one line in `make.CONSTRUCTORS`.
 """
 
 from __future__ import annotations

@@ -31,7 +31,7 @@ the rate l:
 
 P of Lyapunov's equation is diagonal here, 1 / 2 l with Q = 1, and is a part of Gamma. Nothing is flagged and no mode is switched.
 
-Letters: those of `records`; d the memory of the diagnosis; h the adaptive part of `mrac` (`adaptation_dtype`).
+Letters: those of `records`; h the adaptive part of `mrac` (`adaptation_dtype`).
 """
 # mypy: allow-untyped-defs
 
@@ -58,12 +58,6 @@ from testbed.controllers.inversion.law import (
 from testbed.controllers.inversion.step import regression
 from testbed.controllers.outer_loops import virtual_control
 from testbed.controllers.setup import Setup
-
-ANGLE, ROTATION = 0.1, 0.5  # rad and rad/s that count as a regressor of size 1
-TOLERANCE = 0.1
-"""Share of its bound over which the projection takes the outward part of a change away."""
-_OWN = 6  # regressors before the actuators
-_SLOWER = 0.1  # airspeed, whose measurement is noisier
 
 
 @compiled
@@ -139,6 +133,15 @@ def fast_settings(setup: Setup, chosen: L1InversionSettings) -> np.ndarray:
     return settings
 
 
+# Model reference adaptive control ---------------------------------------------------------------------------
+
+ANGLE, ROTATION = 0.1, 0.5  # rad and rad/s that count as a regressor of size 1
+TOLERANCE = 0.1
+"""Share of its bound over which the projection takes the outward part of a change away."""
+_OWN = 6  # regressors before the actuators
+_SLOWER = 0.1  # airspeed, whose measurement is noisier
+
+
 def adaptation_dtype(n: int) -> np.dtype:
     """`Theta` [4, 6 + n] a row for each rate, `bound` [4] of its norm, `phi` [6 + n]; `l` and `gamma` [4] rates of (b) and (c),
     `eta` of the e-modification; `x_ref` and `e` [4] reference model and error [rad/s, m/s]."""
@@ -149,7 +152,7 @@ def adaptation_dtype(n: int) -> np.dtype:
 
 
 @compiled
-def regressors(y, pressure_ratio, m, s, h):
+def theta_regressors(y, pressure_ratio, m, s, h):
     """phi: 1, angles, rotation and the effects of the actuators beyond the trim, each in a unit of its own."""
     h.phi[0], h.phi[1], h.phi[2] = 1.0, (y.alpha - m.alpha) / ANGLE, y.beta / ANGLE
     h.phi[3], h.phi[4], h.phi[5] = y.p / ROTATION, y.q / ROTATION, y.r / ROTATION
@@ -158,7 +161,7 @@ def regressors(y, pressure_ratio, m, s, h):
 
 
 @compiled
-def unknown(i, h):
+def theta_effect(i, h):
     """Theta_hat' phi of rate i."""
     total = 0.0
     for j in range(len(h.phi)):
@@ -167,7 +170,7 @@ def unknown(i, h):
 
 
 @compiled
-def adapt_row(i, dt, h):
+def adapt_theta_row(i, dt, h):
     """(c) for the parameters of one rate, with the regressors normalised by 1 + |phi|^2.
 
     Proj takes the outward part of the change away, the more the nearer the norm is to its bound: none of it at the bound less
@@ -188,19 +191,19 @@ def adapt_row(i, dt, h):
 
 
 @compiled
-def adapt(y, pressure_ratio, m, c, s, h, w):
+def adapt_theta(y, pressure_ratio, m, c, s, h, w):
     """Advance reference model and parameters by one step; w.f is f_m."""
     regressor(pressure_ratio, m, s, w.phi)
-    regressors(y, pressure_ratio, m, s, h)
+    theta_regressors(y, pressure_ratio, m, s, h)
     w.e[0], w.e[1], w.e[2] = y.p, y.q, y.r
     w.e[3] = axial_speed(y)
     for i in range(4):
         h.e[i] = w.e[i] - h.x_ref[i]
-        modelled = w.f[i] - m.offset[i] * pressure_ratio + unknown(i, h)
+        modelled = w.f[i] - m.offset[i] * pressure_ratio + theta_effect(i, h)
         for j in range(len(s.position)):
             modelled += w.phi[i, j]
         h.x_ref[i] += c.dt * (modelled + h.l[i] * h.e[i])  # (b)
-        adapt_row(i, c.dt, h)
+        adapt_theta_row(i, c.dt, h)
 
 
 @compiled
@@ -214,10 +217,10 @@ def mrac_step(step, parts):
     state_function(y, m, w.f)
     if step == 0:
         h.x_ref[0], h.x_ref[1], h.x_ref[2], h.x_ref[3] = y.p, y.q, y.r, axial
-    adapt(y, pressure_ratio, m, c, s, h, w)
+    adapt_theta(y, pressure_ratio, m, c, s, h, w)
     virtual_control(y, ref, m, c, k, s, w)
     for i in range(4):
-        w.nu[i] -= unknown(i, h)  # (a)
+        w.nu[i] -= theta_effect(i, h)  # (a)
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
     return 0

@@ -42,12 +42,6 @@ from testbed.controllers.inversion.law import TIMER_ROUNDING, pressure_ratio_of,
 from testbed.controllers.inversion.step import command_step, regression
 from testbed.controllers.setup import Setup
 
-PARTIAL = 0.4
-"""Effectiveness in the model of a partial loss, and of a partial recovery."""
-LOST, RECOVERED = 0.0, 1.0
-"""Effectiveness in the model of a total loss, and in that of a total recovery."""
-_RATE_KEYS = ("probability_min", "persistence", "failure_rate")
-
 
 @compiled
 def forget(c, s):
@@ -89,6 +83,15 @@ def rls_inversion(setup: Setup) -> InversionController:
     c.estimates, c.forgetting_time, c.filter_rate = True, chosen.forgetting_s, chosen.filter_rad_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
     return InversionController(setup, settings, rls_step)
+
+
+# Interacting multiple models -------------------------------------------------------------------------------
+
+PARTIAL = 0.4
+"""Effectiveness in the model of a partial loss, and of a partial recovery."""
+LOST, RECOVERED = 0.0, 1.0
+"""Effectiveness in the model of a total loss, and in that of a total recovery."""
+_RATE_KEYS = ("probability_min", "persistence", "failure_rate")
 
 
 def bank_dtype(n: int) -> np.dtype:

@@ -80,6 +80,16 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
 
 
 @compiled
+def increment(y, ref, pressure_ratio, m, c, k, s, w):
+    """The rates to be added to those that the actuators give now, into w.nu: what the outer loops ask for, less the remainder."""
+    state_function(y, m, w.f)
+    measured_remainder(y, pressure_ratio, m, c, k, s, w.f, w.phi, w.z)
+    virtual_control(y, ref, m, c, k, s, w)
+    for i in range(4):
+        w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
+
+
+@compiled
 def indi_step(step, parts):
     """One control step: remainder, outer loops, increment, allocation, commands; see `DiagnosedController`."""
     states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
@@ -87,11 +97,7 @@ def indi_step(step, parts):
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)
     advance_actuators(c.dt, axial, m, s)
-    state_function(y, m, w.f)
-    measured_remainder(y, pressure_ratio, m, c, k, s, w.f, w.phi, w.z)
-    virtual_control(y, ref, m, c, k, s, w)
-    for i in range(4):
-        w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
+    increment(y, ref, pressure_ratio, m, c, k, s, w)
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
     write_diagnosis(telemetry[step], chosen[0], diagnoses[0])
@@ -191,11 +197,7 @@ def adaptive_indi_step(step, parts):
     if step * c.dt > SETTLED / h.filter_rate:
         learn(c.dt, m, s, h)
         weigh(m, k, h)
-    state_function(y, m, w.f)
-    measured_remainder(y, pressure_ratio, m, c, k, s, w.f, w.phi, w.z)
-    virtual_control(y, ref, m, c, k, s, w)
-    for i in range(4):
-        w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
+    increment(y, ref, pressure_ratio, m, c, k, s, w)
     invert(w.nu, pressure_ratio, m, k, s)
     allocate_within_stops(w.nu, pressure_ratio, m, c, k, s, w)  # G's inverse, within the stops
     compensate(m, c, k, s)

@@ -152,7 +152,7 @@ def _loops(
 ) -> dict[str, float]:
     """Gains and limits of the outer loops, as `Loops`."""
     v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
-    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * lost_thrust_height_m) - v
+    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * lost_thrust_height_m) - v  # with one propeller left [m/s]
     lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]  # by angle of attack, per mass
     path_lag = v / max(lift, 1e-3)  # with which the flight path follows pitch [s]
     gains = _gains(model, authority, lags)

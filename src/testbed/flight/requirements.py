@@ -115,7 +115,7 @@ def _found(requirement: Requirement, log: Log, metrics: Mapping[str, float], dur
 def _of_formula(requirement: Requirement, log: Log, duration_s: float) -> _Found:
     """Of the first row: the formula's robustness is the value and, divided by `scale`, the requirement's."""
     node, time = requirement.parsed, log["time_s"]
-    found = robustness(node, log, 1.0 / (row_spacing_s(time) or math.inf)) if len(time) else time
+    found = formula_robustness(node, log, 1.0 / (row_spacing_s(time) or math.inf)) if len(time) else time
     if not len(found):
         return _Found(-_not_flown(requirement, time, duration_s), reason=_ENDED)
     value = float(found[0])
@@ -136,7 +136,7 @@ def _of_signal(requirement: Requirement, log: Log, duration_s: float) -> _Found:
         no_number = float(np.mean(~known))
         return _Found(_of_part(requirement, values[known], time) - no_number, reason=_NO_NUMBER)
     sides = sides_of(requirement, values)
-    found = _robustness(requirement, sides, time)
+    found = _of_sides(requirement, sides, time)
     if requirement.never_for_longer_than_s is not None:
         return _Found(found, *_longest_outside(requirement, sides, time))
     if requirement.settles_by_s is not None:
@@ -174,7 +174,7 @@ def _values(requirement: Requirement, log: Log, rows: slice) -> np.ndarray:
     return values
 
 
-def _robustness(requirement: Requirement, sides: Sequence[Side], time: np.ndarray) -> float:
+def _of_sides(requirement: Requirement, sides: Sequence[Side], time: np.ndarray) -> float:
     if requirement.eventually:
         return eventually(scaled(sides))
     if requirement.never_for_longer_than_s is not None:
@@ -186,7 +186,7 @@ def _of_part(requirement: Requirement, values: np.ndarray, time: np.ndarray) -> 
     """Robustness of the rows that there are, or 0 if that is positive or there are none."""
     if not len(values):
         return 0.0
-    return min(0.0, _robustness(requirement, sides_of(requirement, values), time))
+    return min(0.0, _of_sides(requirement, sides_of(requirement, values), time))
 
 
 def _rows_allowed(requirement: Requirement, time: np.ndarray) -> int:
@@ -214,11 +214,6 @@ def _settling(requirement: Requirement, log: Log) -> tuple[float, float, str]:
         return -math.inf, math.nan, _NOT_SETTLED
     allowed = time[row_at(time, requirement.begins_s)]
     return float(allowed - time[settled]), float(time[settled]), ""
-
-
-_ARITHMETIC: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
-    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": np.divide,
-}  # fmt: skip
 
 
 def always(distances: np.ndarray) -> float:
@@ -292,7 +287,7 @@ def outside(sides: Sequence[Side]) -> np.ndarray:
     return ~kept
 
 
-def robustness(node: Node, log: Log, rate_hz: float) -> np.ndarray:
+def formula_robustness(node: Node, log: Log, rate_hz: float) -> np.ndarray:
     """[rows] robustness of a formula, in the unit of what it compares: 0 or more where it holds. The log has `rate_hz` rows/s.
 
     A row is judged from those that follow it, only where its windows end within the log; so a formula over a shorter log has fewer
@@ -301,7 +296,7 @@ def robustness(node: Node, log: Log, rate_hz: float) -> np.ndarray:
     if node.form == "above":
         upper, lower = (_numbers(part, log) for part in node.parts)
         return np.asarray(upper - lower)
-    parts = [robustness(part, log, rate_hz) for part in node.parts]
+    parts = [formula_robustness(part, log, rate_hz) for part in node.parts]
     if node.form in ("and", "or"):
         rows = min(map(len, parts))
         return np.asarray(
@@ -340,6 +335,11 @@ def _until(before: np.ndarray, then: np.ndarray, window: tuple[float, float], ra
             best[:held] = np.maximum(best[:held], np.minimum(then[ahead : ahead + held], least[:held]))
         least[:held] = np.minimum(least[:held], before[ahead : ahead + held])
     return best
+
+
+_ARITHMETIC: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": np.divide,
+}  # fmt: skip
 
 
 def _numbers(node: Node, log: Log) -> np.ndarray:

@@ -183,7 +183,7 @@ ULOG = b"ULog\x01\x12\x35"
 TIME = "timestamp"
 _TOPIC_NAME = re.compile(r"([\w/-]{1,200}?)(?:\[(\d{1,3})\])?\.([\w.\[\]]{1,200})")
 _PX4 = "a log of PX4"
-_HEADER, _KINDS, _FORMAT, _ADDED = 16, frozenset(b"ABCDFILMOPQRS"), ord("F"), ord("A")
+_HEADER, _ULOG_KINDS, _FORMAT, _ADDED = 16, frozenset(b"ABCDFILMOPQRS"), ord("F"), ord("A")
 _WINGLESS = {2: "quadcopter", 3: "coaxial helicopter", 4: "helicopter", 10: "rover", 11: "boat", 12: "submarine",
              13: "hexacopter", 14: "octocopter", 15: "tricopter"}  # fmt: skip
 """What PX4's parameter MAV_TYPE says, of what flies without a wing."""
@@ -229,8 +229,8 @@ def _of_topics(
         from pyulog import ULog
     except ImportError:
         raise bad("needs pyulog: pip install 'testbed[logs]'", file) from None
-    end, formats, known = _whole(content)
-    if any(_size(name, formats) > _MOST_FIELDS for name in formats):
+    end, formats, known = _ulog_whole(content)
+    if any(_ulog_size(name, formats) > _MOST_FIELDS for name in formats):
         what = f"has a format of more than {_MOST_FIELDS} fields, or of itself"
         raise bad(what, file, expected=_PX4)
     try:
@@ -246,7 +246,7 @@ def _of_topics(
     return found, known
 
 
-def _whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
+def _ulog_whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
     """Up to where the file is a chain of whole messages of known kinds, {format: its fields}, and the topics that it has.
 
     In what is no such chain pyulog may search for ever.
@@ -254,7 +254,7 @@ def _whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
     at, end, formats, topics = _HEADER, len(content), dict[str, str](), set[str]()
     while at + 3 <= end:
         following = at + 3 + content[at] + 256 * content[at + 1]
-        if content[at + 2] not in _KINDS or following > end:
+        if content[at + 2] not in _ULOG_KINDS or following > end:
             break
         if content[at + 2] == _FORMAT:
             name, _, fields = content[at + 3 : following].decode("utf-8", "replace").partition(":")
@@ -265,12 +265,12 @@ def _whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
     return at, formats, sorted(topics)
 
 
-def _size(name: str, formats: Mapping[str, str], sizes: dict[str, float] | None = None) -> float:
+def _ulog_size(name: str, formats: Mapping[str, str], sizes: dict[str, float] | None = None) -> float:
     """Number of fields of a format with those of the formats in it: pyulog makes a list of them all."""
     sizes = {} if sizes is None else sizes
     if name not in sizes:
         sizes[name] = math.inf  # until it is known: so of a format that has itself
-        sizes[name] = sum(float(count or 1) * (_size(kind, formats, sizes) if kind in formats else 1.0)
+        sizes[name] = sum(float(count or 1) * (_ulog_size(kind, formats, sizes) if kind in formats else 1.0)
                           for kind, count in _FIELD.findall(formats[name]))  # fmt: skip
     return sizes[name]
 

@@ -4,7 +4,7 @@ They say how well altitude, airspeed and heading followed their references, befo
 actuators; whether the monitor flagged the actuators that were broken, and only those; how long axes were given up; how true
 estimates were.
 
-The speed of the effectiveness estimates is compared with the first-order lag of equations (21) and (22).
+The speed of the effectiveness estimates is compared with the first-order lag of the paper's equations (21) and (22).
 """
 
 from __future__ import annotations
@@ -234,10 +234,6 @@ EFFORT = (control_effort_per_s, saturated_time_s)
 NOTICEABLE_S = 2.0
 """An actuator that is lost for longer than this [s] has to be flagged."""
 _RELEASED = "_released"
-BAND = 0.05
-"""An estimate has settled when its error is within this fraction of the step of the true effectiveness."""
-_STEP = 0.05  # a larger change of true effectiveness from one row to the next is a step
-_TIME_CONSTANTS = 3.0  # after ln 20 = 3.0 time constants a first-order lag is within 5 % of its end
 
 
 def detection_delay_s(readings: Readings) -> float:
@@ -306,14 +302,20 @@ OF_FLAGS = (detection_delay_s, missed_detections, false_alarms, wrong_blames, is
 OF_RELEASES = (goal_switches, released_time_s)
 
 
+BAND = 0.05
+"""An estimate has settled when its error is within this fraction of the step of the true effectiveness."""
+_STEP = 0.05  # a larger change of true effectiveness from one row to the next is a step
+_TIME_CONSTANTS = 3.0  # after ln 20 = 3.0 time constants a first-order lag is within 5 % of its end
+
+
 def estimate_error_rms(readings: Readings) -> float:
     """Root mean square error of the effectiveness estimate, for the worst actuator [1 is healthy]."""
-    return _worst(math.sqrt(float(np.square(error).mean())) for error in _errors(readings))
+    return _worst_actuator(math.sqrt(float(np.square(error).mean())) for error in _estimate_errors(readings))
 
 
 def estimate_error_end(readings: Readings) -> float:
     """Error of the effectiveness estimate in the log's last row, for the worst actuator [1 is healthy]."""
-    return _worst(abs(float(error[-1])) for error in _errors(readings))
+    return _worst_actuator(abs(float(error[-1])) for error in _estimate_errors(readings))
 
 
 def estimate_settling_s(readings: Readings) -> float:
@@ -323,7 +325,7 @@ def estimate_settling_s(readings: Readings) -> float:
     there was no step. Steps to 0.1 or less do not count: a lost actuator has to be flagged, which `detection_delay_s`
     measures, and its estimate does not matter.
     """
-    return _worst(time for _, time in _settlings(readings))
+    return _worst_actuator(time for _, time in _settlings(readings))
 
 
 def estimate_settling_ratio(readings: Readings) -> float:
@@ -332,17 +334,19 @@ def estimate_settling_ratio(readings: Readings) -> float:
     As `estimate_settling_s`, with the gamma of each actuator.
     """
     gamma = readings.gamma
-    return _worst(time * gamma.get(name, math.nan) / _TIME_CONSTANTS for name, time in _settlings(readings))
+    return _worst_actuator(
+        time * gamma.get(name, math.nan) / _TIME_CONSTANTS for name, time in _settlings(readings)
+    )
 
 
-def _errors(readings: Readings) -> Iterator[np.ndarray]:
+def _estimate_errors(readings: Readings) -> Iterator[np.ndarray]:
     for name in readings.actuators:
         yield readings.log[f"{name}_effectiveness_estimate"] - readings.log[f"{name}_effectiveness"]
 
 
 def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
     """(actuator, settling time [s]) of each step of true effectiveness; NaN if the estimate never settles."""
-    for name, error in zip(readings.actuators, _errors(readings), strict=True):
+    for name, error in zip(readings.actuators, _estimate_errors(readings), strict=True):
         truth = readings.log[f"{name}_effectiveness"]
         change = np.abs(np.diff(truth))
         steps = np.flatnonzero(change > _STEP) + 1
@@ -353,7 +357,7 @@ def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
                 yield name, math.nan if row is None else (row - start) * readings.step_s
 
 
-def _worst(values: Iterator[float]) -> float:
+def _worst_actuator(values: Iterator[float]) -> float:
     """The largest; NaN if any of them is NaN, or if there are none."""
     each = list(values)
     return max(each) if each and not any(map(math.isnan, each)) else math.nan

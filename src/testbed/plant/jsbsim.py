@@ -61,19 +61,19 @@ class _Listener(jsbsim.FGLogger):
             self.warnings.append(message.strip())
 
 
-_LASTING = jsbsim.get_logger()
-"""A logger that is never released."""
+_LASTING = jsbsim.DefaultLogger()
+"""JSBSim's own logger. This module holds it, so a thread that drops it frees nothing."""
 
 
 class _Release:
-    """Gives a thread that ends the lasting logger. Another would be released after the thread, without the interpreter's lock,
-    and abort. That includes the one with which the thread began: the listener of whoever flew last in any thread."""
+    """Gives a thread that ends the lasting logger: a listener would be freed after the thread, without the interpreter's lock, and
+    abort. What `get_logger` says would not do, because it is the logger set last in any thread."""
 
     def __del__(self) -> None:
         jsbsim.set_logger(_LASTING)
 
 
-_thread = threading.local()
+_of_thread = threading.local()
 
 
 class NoProperty(BadInput):
@@ -91,8 +91,8 @@ def opened(folder: Path, model: str, physics_hz: float) -> tuple[Any, list[str]]
     It must be known that the model does not end the process, or this process must be one that may end.
     """
     listener = _Listener()
-    if threading.current_thread() is not threading.main_thread() and not hasattr(_thread, "release"):
-        _thread.release = _Release()
+    if threading.current_thread() is not threading.main_thread() and not hasattr(_of_thread, "release"):
+        _of_thread.release = _Release()
     jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
     jsbsim.FGJSBBase().debug_lvl = 0
     fdm = jsbsim.FGFDMExec(str(folder.parent.parent))

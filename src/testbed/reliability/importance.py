@@ -1,7 +1,6 @@
-"""Importance sampling: rounds, each from a density of its own, with the estimate that they give together and doubts about it; and
-`importance`, which draws about the design points of every failure region.
-
-Schueller and Stix 1987, Structural Safety 4:293; Melchers 1989, Structural Safety 6:3.
+"""Importance sampling about the design points of every failure region: `importance` (Schueller and Stix 1987, Structural Safety
+4:293; Melchers 1989, Structural Safety 6:3). `Rounds`, what is drawn with its estimate and the doubts about it, also serves
+`adaptive`.
 """
 
 from __future__ import annotations

@@ -72,7 +72,7 @@ class ReportedFlight(Flight):
         """Write the flight for another program; returns the file.
 
         Args:
-            to: `acmi`, `kml`, `parquet`, `mcap` or `mat`.
+            to: a format of `reporting.export.TABLE`, such as `acmi`.
             file: the file to write; an existing one is never overwritten.
             origin: where the flight starts, `LAT,LON` or `LAT,LON,ALT` in degrees and metres.
 

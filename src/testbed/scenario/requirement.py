@@ -20,7 +20,7 @@ from pydantic import StrictBool, ValidationInfo, field_validator, model_validato
 
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, after, refuse
 
-LONGEST = 1000
+_LONGEST_FORMULA = 1000
 """Longest formula [characters]."""
 _DEEPEST = 30
 _LARGEST = 1e12
@@ -65,8 +65,8 @@ class Node:
 
 def parse(text: str) -> Node:
     """The formula in a text; raises the error of a validator for anything else."""
-    if len(text) > LONGEST:
-        raise refuse(f"has {len(text)} characters", f"at most {LONGEST}")
+    if len(text) > _LONGEST_FORMULA:
+        raise refuse(f"has {len(text)} characters", f"at most {_LONGEST_FORMULA}")
     try:
         tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:

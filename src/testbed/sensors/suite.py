@@ -114,7 +114,8 @@ class Bank:
         self._enter_faults(step)
 
     def _enter_faults(self, first: int) -> None:
-        """Enter the faults from this control step on. Earlier rows stay as they are: they may be in a file, see `live.long`."""
+        """Enter the faults from this control step on. Earlier rows stay as they are: they may be in a file
+        (`live.flight.LongSession`)."""
         if not self.settings.faults:
             return
         layers = np.zeros((2, self._steps, len(self.channels)))

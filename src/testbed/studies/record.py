@@ -68,7 +68,7 @@ class Record(Task):
 
 @dataclass(frozen=True)
 class Flown:
-    """What is kept of one flight: its record, its error history (see `folder.histories`), and its log as Parquet, or b""."""
+    """What is kept of one flight: its record, its error history (see `folder.logs`), and its log as Parquet, or b""."""
 
     record: Record
     history: bytes = b""

@@ -228,7 +228,7 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     """Fly the flights of a plan that its folder does not have yet, and write its table; returns what was flown.
 
     With `options.shard` it flies every n-th run and writes no table: the folder is that of an unfinished sweep, which
-    `testbed.merge` joins with the others. Raises BadInput and Stopped as `run.fly_into`.
+    `testbed.merge` joins with the others. Raises BadInput and Stopped as `fly_into`.
     """
     if options.shard is None:
         return fly_into(plan, folder, options, fly_missing, resume=resume)

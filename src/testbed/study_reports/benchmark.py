@@ -48,7 +48,7 @@ def sections(summary: Summary) -> Iterator[Section]:
     yield Section("", _in_short(summary))
     yield from _where(summary)
     yield _totals(summary)
-    yield from _parts(summary)
+    yield from _ablations(summary)
     yield from _groups(summary)
     yield from _noticed(summary)
     yield from _others_lose(summary)
@@ -62,13 +62,13 @@ def markdown(summary: Mapping[str, Any], heading: str = "##") -> list[str]:
     lines: list[str] = []
     for section in sections(summary):
         parts = [[f"{heading} {section.title}"] if section.title else [], [section.words] if section.words else [],
-                 [*_table(section.head, section.rows)]]  # fmt: skip
+                 [*_markdown_table(section.head, section.rows)]]  # fmt: skip
         for part in filter(None, parts):
             lines += [*([""] if lines else []), *part]
     return lines
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
+def _markdown_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
     if head:
         yield f"| {' | '.join(head)} |"
         yield f"|{' --- |' * len(head)}"
@@ -79,11 +79,11 @@ def write_benchmark_page(summary: Mapping[str, Any], folder: Path) -> Path:
     """Write report.html of a benchmark's folder; returns the file. Raises OSError when it cannot be written."""
     title = f"Benchmark {summary['suite']} {summary['version']}"
     facts = {"draws": str(summary["draws"]), "seed": str(summary["seed"])}
-    parts: list[Part] = [html.opening(title, [], facts), *map(_part, sections(summary))]
+    parts: list[Part] = [html.opening(title, [], facts), *map(_section_html, sections(summary))]
     return html.write_page(folder / "report.html", title, parts)
 
 
-def _part(section: Section) -> Html:
+def _section_html(section: Section) -> Html:
     title = tag("h2", _plain(section.title)) if section.title else None
     words = tag("p", _plain(section.words)) if section.words else None
     rows = (html.row(map(_plain, row)) for row in section.rows)
@@ -192,7 +192,7 @@ def _totals(summary: Summary) -> Section:
     return Section("All", "", head, rows)
 
 
-def _parts(summary: Summary) -> Iterator[Section]:
+def _ablations(summary: Summary) -> Iterator[Section]:
     """What the reference loses without some of its parts."""
     first, rows = summary["reference"], []
     for name in summary["ablated"]:

@@ -13,7 +13,7 @@ from scipy.io import loadmat
 
 from testbed.flight.flight import Flight
 from testbed.reporting.export import export
-from testbed.reporting.export.tables import names_of
+from testbed.reporting.export.tables import matlab_names
 
 
 def test_parquet_has_the_log_with_units(flown: Flight, tmp_path: Path) -> None:
@@ -46,8 +46,8 @@ def test_matlab_has_the_log_with_units_and_events(flown: Flight, tmp_path: Path)
     [("a-b_m", "a_b_m"), ("1st_m", "x_1st_m"), ("é", "x__"), ("a" * 70, "a" * 63)],
 )
 def test_columns_get_names_that_matlab_takes(column: str, name: str) -> None:
-    assert names_of([column]) == {column: name}
+    assert matlab_names([column]) == {column: name}
 
 
 def test_no_two_columns_get_one_name() -> None:
-    assert list(names_of(["a.b", "a-b", "a b"]).values()) == ["a_b", "a_b_2", "a_b_3"]
+    assert list(matlab_names(["a.b", "a-b", "a b"]).values()) == ["a_b", "a_b_2", "a_b_3"]

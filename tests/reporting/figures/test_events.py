@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from handmade import flight_of, injection, level_log
 
-from testbed.reporting.figures.lines import LOOKS, marks, rows_of
+from testbed.reporting.figures.lines import LOOKS, label_rows, marks
 from testbed.reporting.words import describe
 
 FLIGHT = flight_of(level_log())
@@ -12,7 +12,7 @@ FLIGHT = flight_of(level_log())
 
 def test_labels_do_not_overlap() -> None:
     crowd = marks([injection(t) for t in (1.0, 1.1, 1.2, 9.0, 9.9)], FLIGHT)
-    placed = rows_of(crowd, (0.0, 10.0), 8.0)
+    placed = label_rows(crowd, (0.0, 10.0), 8.0)
     assert len({row for _, row, _ in placed[:3]}) == 3
     assert placed[-1][2] == "right"  # has no room to the right
 

@@ -29,7 +29,7 @@ def test_a_band_has_quantiles_of_those_still_flying_and_the_worst(tmp_path: Path
     store.create(tmp_path, {})
     flights = store.opened(tmp_path)
     for k in range(21):
-        record = np.full(logs.SHAPE, float(k - 10), dtype="<f4")
+        record = np.full(logs.HISTORY_SHAPE, float(k - 10), dtype="<f4")
         record[:, 100:] = np.nan if k % 2 else float(k - 10)
         flown = Record(k, 0, 1, {}, "completed", True)
         flights.add(key_of(k), flown, record.tobytes())
@@ -43,7 +43,7 @@ def test_a_band_has_quantiles_of_those_still_flying_and_the_worst(tmp_path: Path
     assert error_band(tmp_path, np.arange(21), "altitude_error_m", variants=7)["run"] == band["run"] // 7
     os.remove(tmp_path / store.NAME)
     none = error_band(tmp_path, np.arange(21), "altitude_error_m")
-    assert none is None or none["median"] == [None] * logs.POINTS
+    assert none is None or none["median"] == [None] * logs.HISTORY_POINTS
 
 
 def test_a_choice_of_numbers_has_a_share_for_each() -> None:

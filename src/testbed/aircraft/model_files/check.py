@@ -1,5 +1,5 @@
 """Everything that can be said of an aircraft's JSBSim files without JSBSim; here, what a model may not ask it to do: write or read
-elsewhere, open ports, steer the simulation; and what it must have."""
+elsewhere, open ports, steer the simulation, or end the process in flight; and what it must have."""
 
 from __future__ import annotations
 
@@ -49,7 +49,6 @@ _STEERING = re.compile(
     r"|jsbsim-debug|disperse|randomseed|frame|trim-completed|notify-time-trigger|frozen)\b"
 )
 """Properties that make JSBSim act when they are written. Models of ships and gliders do write `simulation/integrator`."""
-_COMPONENTS_OF = "channel"
 
 
 def steers(name: str) -> bool:
@@ -89,7 +88,7 @@ def _written(element: Element) -> Iterator[str]:
         yield element.attributes["copyto"]
     if element.tag == "property" and "value" in element.attributes:
         yield element.text
-    if "name" in element.attributes and (parent == _COMPONENTS_OF or element.tag in ("function", "table")):
+    if "name" in element.attributes and (parent == "channel" or element.tag in ("function", "table")):
         yield element.attributes["name"]
 
 
@@ -190,7 +189,7 @@ def _way_back(name: str, needs: Mapping[str, list[str]]) -> list[str]:
 
 # Sections that JSBSim needs, and the parts of engines, propellers and motors -------------------------------------
 
-_NEEDED = ("metrics", "mass_balance", "ground_reactions", "aerodynamics")
+_SECTIONS = ("metrics", "mass_balance", "ground_reactions", "aerodynamics")
 _THRUSTERS = ("propeller", "nozzle", "rotor", "direct")
 _MOTOR_PARTS = ("maxvolts", "velocityconstant", "coilresistance", "noloadcurrent")
 _UNITS = {
@@ -206,10 +205,11 @@ def incomplete(files: ModelFiles) -> Iterator[Problem]:
     root = files.root
     if root is None:
         return
-    for tag in _NEEDED:
+    for tag in _SECTIONS:
         if root.first(tag) is None:
             yield root.problem(
-                f"has no <{tag}>", "a section that JSBSim needs; it may be empty" * (tag == _NEEDED[2])
+                f"has no <{tag}>",
+                "a section that JSBSim needs; it may be empty" * (tag == "ground_reactions"),
             )
     for engine in files.inside("propulsion", "engine"):
         yield from _engine(files, engine)

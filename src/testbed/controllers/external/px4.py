@@ -27,7 +27,15 @@ from testbed.common.writing import write_new
 from testbed.controllers.config import PidSettings
 from testbed.controllers.external import ardupilot_parameters as conventional
 from testbed.controllers.external import mavlink_frames
-from testbed.controllers.external.ardupilot_parameters import SEA_LEVEL_KG_M3, density_ratio, given, text
+from testbed.controllers.external.ardupilot_parameters import (
+    SEA_LEVEL_KG_M3,
+    P,
+    Q,
+    R,
+    density_ratio,
+    given,
+    text,
+)
 from testbed.controllers.external.process import CONSOLE, START_S, STEP_S, Autopilot
 from testbed.controllers.pid import suited
 
@@ -49,7 +57,6 @@ _DITHER = 1e-3  # readings that stay the same to the last bit count as those of 
 _AIRFRAME = {"PX4_SIM_MODEL": "gazebo-classic_plane", "PX4_SYS_AUTOSTART": "1030"}
 _MOTOR, _SERVO = 101, 201
 _FIXED_WING, _CUSTOM = 1, 12
-P, Q, R = conventional.P, conventional.Q, conventional.R
 _AXES = {"R": P, "P": Q, "Y": R}
 _FIXED = {
     "CA_AIRFRAME": _FIXED_WING, "COM_RC_IN_MODE": 4, "NAV_RCL_ACT": 0, "NAV_DLL_ACT": 0, "COM_OF_LOSS_T": 5, "COM_ARM_WO_GPS": 1,

@@ -40,7 +40,7 @@ def mat(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     """Write the log in full precision, each column [rows, 1]."""
     from scipy.io import savemat
 
-    names, units = names_of(flight.columns), units_of(flight)
+    names, units = matlab_names(flight.columns), units_of(flight)
     contents = {
         "log": {names[c]: flight.data[:, i] for i, c in enumerate(flight.columns)},
         "units": {names[c]: units[c] for c in flight.columns},
@@ -59,7 +59,7 @@ def mat(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     stream.write(_HEADER)
 
 
-def names_of(columns: Iterable[str]) -> dict[str, str]:
+def matlab_names(columns: Iterable[str]) -> dict[str, str]:
     """{column: name of a field in MATLAB}: a letter first, letters, digits and underscores, at most 63, each once."""
     names: dict[str, str] = {}
     for column in columns:

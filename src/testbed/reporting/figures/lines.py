@@ -61,7 +61,7 @@ def marks(events: Sequence[Mapping[str, Any]], flight: Flight) -> list[Mark]:
     ]
 
 
-def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
+def label_rows(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
     """Where each label goes so that no two touch: (mark, row, horizontal alignment of the text at its line).
 
     Row 0 is next to the panel. Where labels are close, later ones go into lower rows, so that no line crosses the label of

@@ -20,7 +20,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from testbed.common.writing import write
-from testbed.reporting.figures.lines import Mark, Shown, draw_panel, rows_of
+from testbed.reporting.figures.lines import Mark, Shown, draw_panel, label_rows
 from testbed.reporting.panels import Panel
 
 DPI = 110
@@ -55,7 +55,7 @@ class Sheet:
         """The figure with these panels, each `tall` inches high, and every event marked in each."""
         span, closer = (0.0, shown.end_s), shown.zoom
         width = _WIDTH - _LEFT - _RIGHT - (_ZOOM + _BETWEEN if closer else 0.0)
-        lane = rows_of(shown.marks, span, width)
+        lane = label_rows(shown.marks, span, width)
         lane_height = _LANE_ROW * (max((row for _, row, _ in lane), default=-1) + 1) + 0.04
         height = _TOP + lane_height + (tall + _GAP) * len(panels) - _GAP + _BOTTOM
         self._clear(height, len(panels) * (2 if closer else 1))

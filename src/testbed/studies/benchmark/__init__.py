@@ -2,5 +2,5 @@
 
 `model` has the keys of a suite's file, and `load` reads it, finds the aircraft and adopts those of JSBSim. `plan` has draw i, a
 pure function of (suite, seed, i): it seeds the dice by which `grammar` draws a flight.
-`scores` says how each controller did, and `entry` is a result that others can check.
+`limits` says what *held* means. `scores` says how each controller did, and `entry` is a result that others can check.
 """

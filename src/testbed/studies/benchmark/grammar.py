@@ -13,7 +13,6 @@ from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.common.units import GRAVITY_M_S2
 from testbed.failures import TABLE as FAILURES
 from testbed.failures.base import travel_of
-from testbed.studies.benchmark.load import placed
 from testbed.studies.benchmark.model import SHARES, Craft, FailureEntry, Suite
 from testbed.studies.drawing.distributions import Distribution
 
@@ -90,7 +89,7 @@ def _truth(
     suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft
 ) -> tuple[str | Values, list[Values]]:
     """The scenario's aircraft, and what slows its servos."""
-    place, truth = placed(name, craft), suite.truth
+    place, truth = craft.placed(name), suite.truth
     if truth is None or not dice.happens(truth.share):
         return place, []
     changes: Values = {}

@@ -26,7 +26,7 @@ from testbed.inputs.base import Text, Whole
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
-from testbed.studies.benchmark.model import Craft, Suite
+from testbed.studies.benchmark.model import Suite
 from testbed.studies.drawing.distributions import hashed
 
 _PACKAGE = Path(__file__).parents[2]
@@ -154,11 +154,6 @@ def hangar() -> Path:
 def beside() -> str:
     """The file beside which the aircraft stand, as far as scenarios are concerned; there is no such file."""
     return str(hangar() / "suite.yaml")
-
-
-def placed(name: str, craft: Craft) -> str:
-    """How a scenario in the folder `hangar` names an aircraft: the same on every machine."""
-    return name if craft.adopt is None else f"./{craft.adopt}"
 
 
 def provide(model: str) -> None:

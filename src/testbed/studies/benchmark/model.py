@@ -75,6 +75,10 @@ class Craft(Settings):
     w20_factor: Positive = 1.0
     """Factor on the W20 of the weather. Above 2000 ft turbulence has steps: any W20 below 11.6 m/s is the same light one."""
 
+    def placed(self, name: str) -> str:
+        """How a scenario names this aircraft of the suite, beside those that are adopted: the same on every machine."""
+        return name if self.adopt is None else f"./{self.adopt}"
+
 
 class Truth(Settings):
     """How the aircraft differs from its files, which are all that the controller knows."""

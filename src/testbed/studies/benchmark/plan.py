@@ -18,7 +18,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import placed_name
 from testbed.studies.benchmark.grammar import Dice, Drawn, drawn
-from testbed.studies.benchmark.load import beside, placed, provide
+from testbed.studies.benchmark.load import beside, provide
 from testbed.studies.benchmark.model import Draws, Suite
 from testbed.studies.drawing.builder import TYPE, Builder, Task, Variant
 from testbed.studies.drawing.distributions import hashed
@@ -117,7 +117,7 @@ class Benchmark(Plan):
         one = self.suite.aircraft[name]
         if one.adopt is not None:
             provide(one.adopt)
-        return placed_name(placed(name, one), self.builder.base.file)
+        return placed_name(one.placed(name), self.builder.base.file)
 
     @cached_property
     def tree(self) -> dict[str, Any]:
@@ -162,7 +162,7 @@ def benchmark_of(
         for name, each in compared.items()
     )
     name, first = next(iter(suite.aircraft.items()))
-    tree = {"aircraft": placed(name, first), "controller": next(iter(said["controllers"].values()))}
+    tree = {"aircraft": first.placed(name), "controller": next(iter(said["controllers"].values()))}
     return Benchmark(
         study=Draws(seed=seed, time_limit_s=suite.time_limit_s),
         name=f"benchmark {suite.suite} {seed}",

@@ -24,7 +24,7 @@ from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.load import as_given
 from testbed.studies.benchmark.plan import Benchmark
-from testbed.studies.folder.logs import CHANNELS, RECORD_BYTES, SHAPE
+from testbed.studies.folder.logs import HISTORY_BYTES, HISTORY_CHANNELS, HISTORY_SHAPE
 from testbed.studies.folder.store import NAME, Store
 from testbed.studies.folder.table import records
 from testbed.studies.record import NO_RESULT, Record, key_of
@@ -64,9 +64,9 @@ def table(plan: Benchmark, store: Store) -> pd.DataFrame:
 def _history(plan: Benchmark, store: Store, record: Record) -> bytes:
     """The error history of a flight; raises BadInput for one that has not as many bytes as each has."""
     history = store.history(key_of(record.run * len(plan.variants) + record.variant))
-    if len(history) not in (0, RECORD_BYTES):
+    if len(history) not in (0, HISTORY_BYTES):
         what = f"has an error history of {len(history)} bytes in draw {record.run}"
-        raise BadInput([Problem(what, str(store.folder / NAME), expected=f"{RECORD_BYTES} bytes")])
+        raise BadInput([Problem(what, str(store.folder / NAME), expected=f"{HISTORY_BYTES} bytes")])
     return history
 
 
@@ -96,8 +96,8 @@ def _inside(history: bytes, limits: Sequence[float]) -> float:
     """Share of the flight's planned time within the limits of altitude and heading, 0 to 1, by the points of its history."""
     if not history:
         return 0.0
-    errors = np.frombuffer(history, "<f4").reshape(SHAPE)
-    names = [name.partition("_")[0] for name in CHANNELS]
+    errors = np.frombuffer(history, "<f4").reshape(HISTORY_SHAPE)
+    names = [name.partition("_")[0] for name in HISTORY_CHANNELS]
     altitude, heading = (np.abs(errors[names.index(name)]) for name in ("altitude", "heading"))
     return float(np.mean((altitude <= limits[0]) & (heading <= limits[1])))  # NaN after the end is outside
 

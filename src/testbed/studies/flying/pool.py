@@ -72,7 +72,7 @@ def workers(job: Job, jobs: int | None = None, cluster: str | None = None) -> It
 
     The processes start when they are needed, and stay for further tasks. Raises BadInput when they cannot fly.
     """
-    there = Children(job, jobs or default_jobs()) if cluster is None else Connection(job, cluster)
+    there = Children(job, jobs or default_jobs()) if cluster is None else Cluster(job, cluster)
     threads = ThreadPoolExecutor(there.most, "flight")
     try:
         yield lambda tasks: _fly_all(threads, there, tasks)
@@ -89,7 +89,7 @@ def serial(job: Job, jobs: int | None = None, cluster: str | None = None) -> Ite
 
 
 def _fly_all(
-    threads: ThreadPoolExecutor, there: Children | Connection, tasks: Iterable[Task]
+    threads: ThreadPoolExecutor, there: Children | Cluster, tasks: Iterable[Task]
 ) -> Iterator[Flown]:
     feed = iter(tasks)
     flying: set[Future[Flown]] = set()
@@ -122,7 +122,7 @@ def refuse_dead(address: str, within_s: float | None = None) -> None:
     """Raise BadInput when no Dask cluster answers at an address; before anything is written.
 
     Args:
-        within_s: how long to wait for an answer [s], as for a cluster that starts; by default _ANSWER_S.
+        within_s: how long to wait for an answer [s], as for a cluster that starts; by default 8 s.
     """
     wait_s = _ANSWER_S if within_s is None else within_s
     try:
@@ -147,7 +147,7 @@ def _dead(address: str, error: Exception, wait_s: float) -> BadInput:
     return BadInput([Problem(what, "--cluster", expected=expected)])
 
 
-class Connection:
+class Cluster:
     """A job at a cluster, as `Children` are one on this machine; raises BadInput when none answers."""
 
     most = 1000

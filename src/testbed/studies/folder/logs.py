@@ -33,16 +33,6 @@ _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
 _LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
 """The name of a kept log: its run, and the label of its variant where variants are compared."""
 
-CHANNELS = {
-    "altitude_error_m": ("altitude_m", "altitude_command_m"),
-    "heading_error_deg": ("heading_deg", "heading_command_deg"),
-    "airspeed_error_m_s": ("airspeed_m_s", "airspeed_command_m_s"),
-}
-"""Name of the error: (signal, its reference), both columns of the log."""
-POINTS = 200
-SHAPE = (len(CHANNELS), POINTS)
-RECORD_BYTES = 4 * len(CHANNELS) * POINTS
-
 
 def encode(flight: Flight) -> bytes:
     """The contents of the file that keeps a flight."""
@@ -186,19 +176,31 @@ def in_file_names(label: str) -> str:
     return "".join(c if c.isalnum() or c in "_-." else "-" for c in label)
 
 
-def times_s(duration_s: float) -> np.ndarray:
-    """[POINTS] times of the points [s] in a flight of this duration [s]."""
-    return np.arange(POINTS) * (duration_s / POINTS)
+HISTORY_CHANNELS = {
+    "altitude_error_m": ("altitude_m", "altitude_command_m"),
+    "heading_error_deg": ("heading_deg", "heading_command_deg"),
+    "airspeed_error_m_s": ("airspeed_m_s", "airspeed_command_m_s"),
+}
+"""Name of the error: (signal, its reference), both columns of the log."""
+HISTORY_POINTS = 200
+"""Of each error, at equal intervals of time."""
+HISTORY_SHAPE = (len(HISTORY_CHANNELS), HISTORY_POINTS)
+HISTORY_BYTES = 4 * len(HISTORY_CHANNELS) * HISTORY_POINTS
+
+
+def history_times_s(duration_s: float) -> np.ndarray:
+    """[HISTORY_POINTS] times of the points [s] in a flight of this duration [s]."""
+    return np.arange(HISTORY_POINTS) * (duration_s / HISTORY_POINTS)
 
 
 def history(flight: Flight) -> bytes:
-    """A flight's history: [channels, points] little-endian float32, in the units of CHANNELS; NaN after the flight's end."""
-    result = np.full(SHAPE, np.nan, dtype="<f4")
+    """A flight's history: [channels, points] little-endian float32, in their units; NaN after the flight's end."""
+    result = np.full(HISTORY_SHAPE, np.nan, dtype="<f4")
     if len(flight.data):
         column = {name: flight.data[:, j] for j, name in enumerate(flight.columns)}
-        rows = np.searchsorted(column["time_s"], times_s(flight.scenario.duration_s) - 1e-9)
+        rows = np.searchsorted(column["time_s"], history_times_s(flight.scenario.duration_s) - 1e-9)
         rows = rows[rows < len(flight.data)]
-        for j, (signal, command) in enumerate(CHANNELS.values()):
+        for j, (signal, command) in enumerate(HISTORY_CHANNELS.values()):
             error = column[signal][rows] - column[command][rows]
             if signal.startswith("heading"):
                 error = wrap_deg(error)
@@ -208,10 +210,10 @@ def history(flight: Flight) -> bytes:
 
 def read_histories(folder: Path, flights: np.ndarray) -> np.ndarray:
     """[flights, channels, points] histories of a sweep's flights with these numbers; NaN for those that it does not have."""
-    result = np.full((len(flights), *SHAPE), np.nan, dtype=np.float32)
+    result = np.full((len(flights), *HISTORY_SHAPE), np.nan, dtype=np.float32)
     if store.exists(folder):
         with store.reading(folder) as stored:
             for row, k in enumerate(flights.tolist()):
-                if len(data := stored.history(key_of(k))) == RECORD_BYTES:
-                    result[row] = np.frombuffer(data, "<f4").reshape(SHAPE)
+                if len(data := stored.history(key_of(k))) == HISTORY_BYTES:
+                    result[row] = np.frombuffer(data, "<f4").reshape(HISTORY_SHAPE)
     return result

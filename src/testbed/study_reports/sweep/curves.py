@@ -89,11 +89,11 @@ def error_band(folder: Path, flights: np.ndarray, channel: str, variants: int = 
     Args:
         folder: the sweep folder.
         flights: their numbers k (see `Plan.task`).
-        channel: one of `logs.CHANNELS`.
+        channel: one of `logs.HISTORY_CHANNELS`.
         variants: of each run.
     """
     every = -(-len(flights) // _MOST)
-    index = list(logs.CHANNELS).index(channel)
+    index = list(logs.HISTORY_CHANNELS).index(channel)
     sampled, largest, worst, number = [], -1.0, None, -1
     for first in range(0, len(flights), _CHUNK):
         chunk = flights[first : first + _CHUNK]
@@ -127,12 +127,12 @@ def shares(plan: Plan, frame: pd.DataFrame) -> list[dict[str, Any]]:
 def errors(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
     """{title, linear, limits, times, variants} of each error whose histories there are: of each variant its band, or None."""
     duration_s = float(plan.builder.scenario(plan.task(0)).duration_s)
-    times, count = logs.times_s(duration_s), len(plan.variants)
+    times, count = logs.history_times_s(duration_s), len(plan.variants)
     groups = [rows["run"].to_numpy() * count + i for i, (_, rows) in enumerate(groups_of(plan, frame))]
     for quantity, drawn in TRACKED.items():
         channel = drawn.error
         bands = [error_band(folder, flights, channel, count) for flights in groups]
-        if any(band is not None and band["median"] != [None] * logs.POINTS for band in bands):
+        if any(band is not None and band["median"] != [None] * logs.HISTORY_POINTS for band in bands):
             yield {
                 "title": error_panel(quantity).heading,
                 "linear": drawn.linear,
@@ -146,7 +146,7 @@ def limits(
     requirements: Sequence[Requirement], channel: str, duration_s: float
 ) -> Iterator[dict[str, float]]:
     """{from_s, until_s, size} of the requirements on an error: on its largest value, or on its signal in a window."""
-    signal, reference = logs.CHANNELS[channel]
+    signal, reference = logs.HISTORY_CHANNELS[channel]
     metric = channel.replace("_error_", "_error_max_")
     for requirement in requirements:
         if requirement.eventually or requirement.never_for_longer_than_s:
