@@ -31,9 +31,11 @@ def _thrust(entry: Entry) -> bool:
 
 KINDS: dict[str, tuple[str, Callable[[Entry], bool]]] = {
     "jams": ("jam_test", _of("jammed near trim", "jammed far from trim", "floats")),
+    "reversed": ("jam_test", _of("reversed")),
     "offsets": ("offset_test", _of("offset")),
     "swings": ("swing_test", _of("swings")),
     "slows": ("lateness", _of("slow", "limited")),
+    "late": ("lateness", lambda entry: entry["type"] in ("lag", "delay")),
     "thrust": ("speed_rule", _thrust),
     "stuck_sensors": ("sensor_guard", lambda entry: True),
 }

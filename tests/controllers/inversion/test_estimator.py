@@ -12,6 +12,7 @@ from vtail_setup import state
 from testbed.controllers.inversion.estimator import (
     JAM_NOISE,
     JAM_VARIANCE,
+    RESIDUAL_TIME_S,
     REVERSAL_NOISE,
     REVERSAL_S,
     UNKNOWN_VARIANCE,
@@ -24,7 +25,7 @@ from testbed.controllers.inversion.estimator import (
     update_model_error_variance,
 )
 from testbed.controllers.inversion.law import regressor
-from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
+from testbed.controllers.records import U_DOT, memory_dtype, model_dtype, settings_dtype
 
 N = 4
 RNG = np.random.default_rng(4)
@@ -177,6 +178,21 @@ def test_model_error_variance_grows_with_the_terms_of_the_model() -> None:
     assert np.allclose(s.model_error_variance, c.model_error_std**2, rtol=1e-9), (
         "at its trim the model is exact"
     )
+
+
+def test_model_error_variance_of_forward_acceleration_rises_at_once() -> None:
+    """That of the rotations is averaged in both directions, that of u_dot only while it falls."""
+    c, m, s = records()
+    c.coefficient_error, c.model_error_std[:] = 0.2, 0.1
+    m.airspeed, m.A[:] = 18.0, 1.0
+    far, near, phi = state(airspeed=18.0, alpha=0.5), state(airspeed=18.0), np.zeros((4, N))
+    s.model_error_variance[:], s.lambda_hat[:] = 0.01, 0.0
+    update_model_error_variance(far, 1.0, phi, m, c, s)
+    final = 0.01 + 0.04 * 0.25
+    assert s.model_error_variance[U_DOT] == pytest.approx(final)
+    assert np.allclose(s.model_error_variance[:U_DOT], 0.01 + c.dt / RESIDUAL_TIME_S * (final - 0.01))
+    update_model_error_variance(near, 1.0, phi, m, c, s)
+    assert s.model_error_variance[U_DOT] == pytest.approx(final - c.dt / RESIDUAL_TIME_S * (final - 0.01))
 
 
 def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True) -> Any:

@@ -60,7 +60,9 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     deviation `coefficient_error`.
 
     The model is most accurate at its own trim, so each term of f_m and of Phi lambda enters by its difference from the trim.
-    The variance is at least `model_error_std`^2, and is averaged over `RESIDUAL_TIME_S`.
+    The variance is at least `model_error_std`^2, and is averaged over `RESIDUAL_TIME_S`. That of `u_dot` rises at once: drag grows
+    with a hard pull-up by more than the model says, and healthy engines were flagged before the average knew. In the rates of
+    rotation every gust would raise it, and hide losses.
     """
     speed = y.airspeed / m.airspeed
     for i in range(4):
@@ -75,7 +77,10 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
             squares += change * change
         floor = c.model_error_std[i] * c.model_error_std[i]
         variance = floor + c.coefficient_error * c.coefficient_error * squares + unseen(i, m, s)
-        s.model_error_variance[i] += c.dt / RESIDUAL_TIME_S * (variance - s.model_error_variance[i])
+        if i == U_DOT and variance > s.model_error_variance[i]:
+            s.model_error_variance[i] = variance
+        else:
+            s.model_error_variance[i] += c.dt / RESIDUAL_TIME_S * (variance - s.model_error_variance[i])
 
 
 @compiled
