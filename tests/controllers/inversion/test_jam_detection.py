@@ -52,16 +52,18 @@ def test_the_offset_of_each_actuator_is_found(actuator: int, pressure_ratio: flo
 
 
 def test_the_ratio_is_that_of_weighted_least_squares() -> None:
-    """(fit / its standard deviation)^2 of each actuator by numpy; the largest wins if it is beyond `JAM_SIGMA`^2."""
+    """(fit / its standard deviation)^2 of each actuator by numpy; the largest wins if it is beyond `JAM_SIGMA`^2. An error of the
+    effectiveness is as good an explanation, as far as the position makes it one."""
     m, c, _, s, _ = records()
     s.residual[:] = residual_of_a_test = np.array([0.9, -2.0, 0.8, 0.5])
     variance = 0.5 * c.noise**2 / RESIDUAL_TIME_S + s.model_error_variance
-    ratios = []
+    s.P[range(N), range(N)] = [0.01, 0.04, 0.02, 0.03]
+    c.filter_rate, s.position[:], ratios = 0.0, [2.0, -1.0, 1.5, 3.0], []
     for i in range(N):
         root = np.sqrt(variance)
         column, residual = m.B[:, i] / root, s.residual / root
         fit, *_ = np.linalg.lstsq(column[:, None], residual, rcond=None)
-        ratios.append(fit[0] ** 2 * (column @ column))
+        ratios.append(fit[0] ** 2 / (1.0 / (column @ column) + s.position[i] ** 2 * s.P[i, i]))
     best = int(np.argmax(ratios))
     for factor, expected in ((1.001, -1), (0.999, best)):
         s.residual[:] = residual_of_a_test * JAM_SIGMA / (math.sqrt(ratios[best]) * factor)

@@ -238,7 +238,8 @@ def likeliest_jam(pressure_ratio, m, c, s):
 
     For each actuator i, B_i offset is fitted to the residual by weighted least squares. The weight of a row is one over its
     variance, which comes from gusts (S / 2T for a two-sided density S and the mean's time constant T) and from the model error. The
-    test value is (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
+    variance of the offset is that of the fit, and that of the effectiveness times the position squared. The test value is
+    (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
 
     Returns:
         Index of the actuator with the largest test value, if that is above `JAM_SIGMA`^2, or -1; and its offset [scaled].
@@ -252,9 +253,13 @@ def likeliest_jam(pressure_ratio, m, c, s):
             weight = 1.0 / (gusts + s.model_error_variance[row])
             projection += b * weight * s.residual[row]
             information += b * weight * b
-        ratio = projection * projection / information
+        # An error of the effectiveness, times the position, is an offset too.
+        position = filtered_position(i, pressure_ratio, m, c, s)
+        variance = 1.0 / information + position * position * s.P[i, i]
+        change = projection / information
+        ratio = change * change / variance
         if not s.jammed[i] and ratio > largest:
-            likeliest, largest, offset = i, ratio, projection / information
+            likeliest, largest, offset = i, ratio, change
     return likeliest, offset
 
 
