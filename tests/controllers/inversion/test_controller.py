@@ -159,7 +159,8 @@ def test_airspeed_is_kept_where_the_model_knows_its_drag_badly() -> None:
     for ablate in ((), ("model_error",)):
         law = {"type": "adaptive_inversion", "model_error": {"CX_alpha": 3.0}, "ablate": list(ablate)}
         flights.append(testbed.fly("scenarios/left_tail_fail.yaml", set={**asked, "controller": law}))
-    kept, lost = flights
-    late = kept.log[kept.log.time_s > 40.0]
-    assert (late.airspeed_m_s - late.airspeed_command_m_s).abs().max() < 0.1
-    assert lost.outcome is Outcome.diverged
+    missed = []
+    for flight in flights:
+        late = flight.log[flight.log.time_s > 40.0]
+        missed.append((late.airspeed_m_s - late.airspeed_command_m_s).abs().max())
+    assert missed[0] < 0.1 and missed[1] > 2.0

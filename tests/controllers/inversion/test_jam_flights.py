@@ -108,9 +108,7 @@ def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: s
     [
         ("adaptive_inversion", 6),
         ("adaptive_inversion", 11),
-        pytest.param(
-            "indi, monitor: true", 8, marks=pytest.mark.xfail(strict=True, reason="strays by 9.9 m")
-        ),
+        ("indi, monitor: true", 8),
     ],
 )
 def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_flight_is_steady(

@@ -20,7 +20,7 @@ FLIGHTS = {
     "offset_test": (
         "jammed_ruddervator.yaml",
         f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 12}}]",
-        "duration_s=6",
+        "duration_s=8",
         "commands=[]",
     ),
     "lateness": (

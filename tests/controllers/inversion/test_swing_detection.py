@@ -135,18 +135,13 @@ def test_its_swings_are_noise_of_the_model_error_along_its_column() -> None:
     assert (s.P[:N] == before[:N]).all()
 
 
-FALLS_SHORT = pytest.mark.xfail(
-    strict=True, reason="taken for jammed, offset and reversed in turn: 2.3 m and 19 deg off"
-)
-
-
 @pytest.mark.parametrize(
     ("actuator", "frequency_hz"),
     [
         ("left_ruddervator", 0.5),
         ("left_ruddervator", 0.4),
         ("right_ruddervator", 0.4),
-        pytest.param("right_ruddervator", 0.5, marks=FALLS_SHORT),
+        ("right_ruddervator", 0.5),
     ],
 )
 def test_a_surface_that_swings_is_flown_with(actuator: str, frequency_hz: float) -> None:
