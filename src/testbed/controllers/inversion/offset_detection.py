@@ -25,8 +25,7 @@ DECISION_THRESHOLD = 0.5
 """Effectiveness half-way between the hypotheses jammed, 0, and follows, 1."""
 JAM_SIGMA, JAM_S = 4.0, 1.0
 """Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed, and how long it must stay
-beyond that [s]. Lost effectiveness with 20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2
-or above."""
+beyond that [s]. At 25 ft/s lost effectiveness never goes beyond 1.1, and offsets of 5 deg go beyond 4 in half of 8 flights."""
 BEYOND_SIGMAS = 3.0
 """Standard deviations of the estimate at which a hypothesis is rejected."""
 
