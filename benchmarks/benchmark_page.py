@@ -7,9 +7,9 @@
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
 the same draws are taken; the one of `--parts` has the default without its parts, of which the page keeps what it says if none is
-given, and those of `--acts` have it without one part each (`parts_where_they_act.py`). The one of `--more` has the default and its
-nearest rival on more draws: the groups are of these. With `--commit` the page is stamped with the commit that flew them and the
-environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
+given, and those of `--acts` have it without one part each (`parts_where_they_act.py`) and take the place of those that the page
+has. The one of `--more` has the default and its nearest rival on more draws: the groups are of these. With `--commit` the page is
+stamped with the commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -109,8 +109,11 @@ def main(arguments: Sequence[str] | None = None) -> None:
     summaries += [summary_of(other) | {"weather": to_50_ft_s(other)} for other in others]
     law = summaries[0]["law_sha256"]
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
+    acts = [*map(summary_of, options.acts)]
     if options.parts is not None:
-        parts = parts_of(summary_of(options.parts), law, [*map(summary_of, options.acts)])
+        parts = parts_of(summary_of(options.parts), law, acts)
+    elif acts:
+        parts = [*parts[:2], *where_they_act(acts, law)]
     more = nearest(options.more, summaries[0]) if options.more else []
     PAGE.write_text(text(summaries, parts, more, options.remark), encoding="utf-8")
     if options.commit:
