@@ -113,7 +113,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if options.parts is not None:
         parts = parts_of(summary_of(options.parts), law, acts)
     elif acts:
-        parts = [*parts[:2], *where_they_act(acts, law)]
+        parts = [*without(parts[:2], acts), *where_they_act(acts, law)]
     more = nearest(options.more, summaries[0]) if options.more else []
     PAGE.write_text(text(summaries, parts, more, options.remark), encoding="utf-8")
     if options.commit:
@@ -193,6 +193,12 @@ def where_they_act(summaries: Sequence[dict[str, Any]], law: str) -> Iterator[st
         yield from ("", f"**More is held without** {', '.join(harm)}.")
     if unclear:
         yield from ("", f"In *held* these are not clear of zero: {', '.join(unclear)}.")
+
+
+def without(lines: Sequence[str], acts: Sequence[dict[str, Any]]) -> list[str]:
+    """The lines without the rows of parts that are flown where they act: those say it with the present law."""
+    rows = tuple(f"| `{name}` |" for summary in acts for name in summary["ablated"])
+    return ["\n".join(row for row in each.split("\n") if not row.startswith(rows)) for each in lines]
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
