@@ -33,18 +33,21 @@ WEAK_FROM = 0.25  # effectiveness [1] below which an actuator is as good as lost
 WORKS_STD, LOST_STD, REVERSED_STD, LARGEST_OFFSET = 0.1, 0.05, 0.2, 6.0  # of effectiveness [1]; scaled units
 
 
-def log_posterior(lam: float, variance: float, offset: float, spread: float, expected: float) -> np.ndarray:
+def log_posterior(
+    lam: float, variance: float, offset: float, spread: float, prior: float, size: float = 1.0
+) -> np.ndarray:
     """Logarithms, up to a constant, of the probabilities of `HYPOTHESES` for one servo.
 
     Args:
         lam, variance: the filter's effectiveness and its variance.
         offset: model error along the actuator's column of B, as a change of its position [scaled].
-        spread: the filter's variance of `offset`; at most `expected`.
-        expected: variance of `offset` where the model's own error is all there is.
+        spread: the filter's variance of `offset`; less than `prior`.
+        prior: the variance that the filter expects of `offset`, where the model's own error is all there is.
+        size: standard deviation of the model's own error, of that which the filter expects.
     """
     # The filter's prior of b is divided out: what is left is the likelihood of the offset.
-    seen = 1.0 / max(1.0 / spread - 1.0 / expected, 1e-6)
-    model_error = _normal(offset * seen / spread, expected + seen)
+    seen = 1.0 / (1.0 / spread - 1.0 / prior)
+    model_error = _normal(offset * seen / spread, size**2 * prior + seen)
     force = -math.log(2.0 * LARGEST_OFFSET)
     above, below = ((x - lam) / math.sqrt(variance + LOST_STD**2) for x in (1.0, WEAK_FROM))
     works = _normal(lam - 1.0, variance + WORKS_STD**2)
@@ -65,7 +68,7 @@ def probabilities(session: Session, size: float) -> np.ndarray:
     controller = session.parts.controller
     memory, model = controller.memory[0], controller._records[0][0]
     n = len(memory.lambda_hat)
-    expected = size**2 * np.array(memory.model_error_variance)
+    expected = np.array(memory.model_error_variance)
     odds, fine = np.full((n, len(HYPOTHESES)), -np.inf), np.zeros(n)
     for i in np.flatnonzero(memory.failed == 0):
         column = np.array(model.B[:, i])
@@ -74,7 +77,7 @@ def probabilities(session: Session, size: float) -> np.ndarray:
         variance = float(weight @ memory.P[n:, n:] @ weight)
         said = log_posterior(
             float(memory.lambda_hat[i]), max(float(memory.P[i, i]), 1e-6), float(weight @ memory.b),
-            min(variance, 0.999 / information), 1.0 / information,
+            min(variance, 0.999 / information), 1.0 / information, size,
         )  # fmt: skip
         if not model.servo[i]:  # thrust has no offset and does not turn about
             said[[4, 5]] = -np.inf

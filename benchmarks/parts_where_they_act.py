@@ -34,7 +34,6 @@ KINDS: dict[str, tuple[str, Callable[[Entry], bool]]] = {
     "reversed": ("jam_test", _of("reversed")),
     "offsets": ("offset_test", _of("offset")),
     "swings": ("swing_test", _of("swings")),
-    "slows": ("lateness", _of("slow", "limited")),
     "late": ("lateness", lambda entry: entry["type"] in ("lag", "delay")),
     "thrust": ("speed_rule", _thrust),
     "stuck_sensors": ("sensor_guard", lambda entry: True),
