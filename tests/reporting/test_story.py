@@ -200,7 +200,10 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     assert "At 15.0 s the left ruddervator was lost completely." in text
     assert f"noticed the left ruddervator {detection['delay_s']:.2f} s after its failure at 15.0 s" in text
     assert f"{flight.metrics['altitude_error_max_m']:.2f} m of altitude" in text
-    assert "It held: altitude stayed within 5 m and heading within 15 deg of their references." in text
+    assert (
+        "It held since the last failure: altitude stayed within 5 m and heading within 15 deg of their references."
+        in text
+    )
     assert "wrongly" not in text
     assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
     assert len(story(flight)) <= 4

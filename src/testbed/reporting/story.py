@@ -345,7 +345,8 @@ def _end(flight: Flight, view: Readings) -> Iterator[str]:
         yield f"Recovered {after}: within {_within(RECOVERED)} from then on."
     else:
         held = "Held, not noticed" if unseen else "It held"
-        yield f"{held}: {_STAYED} of their references."
+        since = " since the last failure" if times[0] < times[-1] else ""
+        yield f"{held}{since}: {_STAYED} of their references."
 
 
 def _not_recovered(view: Readings, failed_s: float) -> str:
