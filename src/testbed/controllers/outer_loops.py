@@ -129,7 +129,7 @@ def traded(e_height, airspeed, y, m, c, k, s):
     A slow aircraft can neither climb nor turn. Once airspeed is more than `slow_descent_from` below what is wanted, or below that
     of the design if that is less, it is treated as too high, so that it descends to regain airspeed. Where a jam needs a slow trim,
     the propellers that balance its yawing moment cannot slow the aircraft down. So above the airspeeds at which it can fly level it
-    climbs, and does not descend to its reference.
+    climbs, and does not descend to its reference; as if it were too low by `altitude_error_max` at most.
 
     Args:
         e_height: altitude less its reference, limited [m].
@@ -142,6 +142,9 @@ def traded(e_height, airspeed, y, m, c, k, s):
     if k.fast_climb > 0.0 and fast > 0.0:
         share = max(1.0 - 2.0 * fast / c.airspeed_error_max, 0.0)  # of being too high that still counts
         e_height = min(e_height, 0.0) + share * max(e_height, 0.0) - k.fast_climb * fast
+        e_height = max(
+            e_height, -c.altitude_error_max
+        )  # one that is far too fast would pull up into the stall
     return e_height
 
 

@@ -34,7 +34,7 @@ JAM_VARIANCE, JAM_NOISE = 16.0, 0.2
 jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With 1.0, gusts at 25 ft/s moved
 the estimated thrust by 2 units within a second."""
 RESIDUAL_TIME_S = 1.0
-"""Time constant of what the jam test compares: the means of the residual and of the model-error variance [s]."""
+"""Time constant of what the jam test compares [s]: mean of the residual, and model-error variance (of `u_dot` while it falls)."""
 CHANGE_TIME_S, CHANGE_SIGMA, CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is expected (`expect_change`): the time over which innovations are averaged [s], the size of
 the change in its standard deviations, and how many times better than the next one it explains the average."""

@@ -17,6 +17,8 @@ SLOW_LAG_S = 3.0
 """Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
 SUDDEN_LOSS = 0.5
 """Fall of an estimate below the slow one [1] that no error of the estimate explains."""
+STANDING_SIGMA = 2.0
+"""Standard deviations by which the slow estimate must be below `threshold` to be low beyond doubt, however it came there."""
 INFORMATIVE_STD = 0.5
 """Largest standard deviation of an estimate [1] that says anything about which actuator has failed."""
 CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
@@ -33,7 +35,8 @@ STEADY_M = 2.0
 def is_to_blame(i, c, s):
     """Whether a low estimate of actuator i is its own failure, and not the effect of another's.
 
-    It is if the estimate fell by more than `SUDDEN_LOSS`. It also is if no other estimate in use has changed by more, and none of
+    It is if the estimate fell by more than `SUDDEN_LOSS`, or if the slow one is below `threshold` beyond doubt: of an estimate that
+    has been low for long no fall is left to be compared. It also is if no other estimate in use has changed by more, and none of
     those is at its upper limit. Estimates with a standard deviation above `INFORMATIVE_STD` do not count.
 
     When another actuator fails, all estimates share the explanation of its force at first. One at its upper limit shows a force
@@ -41,6 +44,8 @@ def is_to_blame(i, c, s):
     surface with 0.1 to 0.25 was given up when a propeller stuck."""
     fell = s.lambda_slow[i] - s.lambda_hat[i]
     if fell > SUDDEN_LOSS or not c.weighted:
+        return True
+    if s.lambda_slow[i] + STANDING_SIGMA * math.sqrt(s.P[i, i]) < c.threshold:
         return True
     for j in range(len(s.lambda_hat)):
         if j != i and not s.failed[j] and s.P[j, j] < INFORMATIVE_STD * INFORMATIVE_STD:
