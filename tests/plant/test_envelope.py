@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -28,16 +30,19 @@ ENVELOPE = Envelope(
 )
 LEVEL = {"altitude": 100.0, "airspeed": 18.0}
 ACTUATORS = 2
+CALM = (0.0, 0.0, 0.0)
 
 
-def look(envelope: Envelope = ENVELOPE, **values: float) -> tuple[int, np.ndarray, np.ndarray]:
-    """How the flight ends with these values, the row of truth, and the measured one."""
+def look(
+    envelope: Envelope = ENVELOPE, wind: Sequence[float] = CALM, **values: float
+) -> tuple[int, np.ndarray, np.ndarray]:
+    """How the flight ends with these values in this wind [ft/s], the row of truth, and the measured one."""
     raw = np.zeros(len(STATE) + 2 * ACTUATORS)
     for name, value in {**LEVEL, **values}.items():
         raw[STATE.index(name)] = value
     factors = np.ones_like(raw)
     truth, measured = np.full((3, len(raw)), np.nan), np.full((3, len(STATE)), np.nan)
-    ending = observe(1, (raw, factors, limits_of(envelope), truth, measured))
+    ending = observe(1, (raw, factors, np.array(wind), limits_of(envelope), truth, measured))
     assert np.isnan(truth[[0, 2]]).all() and np.isnan(measured[[0, 2]]).all(), "no other row is touched"
     return ending, truth[1], measured[1]
 
@@ -52,7 +57,7 @@ def test_inside_the_envelope_a_flight_goes_on() -> None:
 def test_units_are_turned_into_si() -> None:
     raw, factors = np.arange(1.0, len(STATE) + 1.0), np.linspace(0.1, 2.0, len(STATE))
     truth, measured = np.zeros((1, len(raw))), np.zeros((1, len(STATE)))
-    observe(0, (raw, factors, limits_of(Envelope()), truth, measured))
+    observe(0, (raw, factors, np.array(CALM), limits_of(Envelope()), truth, measured))
     assert np.array_equal(truth[0], raw * factors)
 
 
@@ -94,3 +99,13 @@ def test_every_limit_has_its_own_place() -> None:
     assert [float(limits[name]) for name in LIMITS] == pytest.approx(
         [10.0, 8.0, 40.0, np.radians(20), np.radians(25), np.radians(80)]
     )
+
+
+def test_in_wind_u_dot_is_measured_through_the_air() -> None:
+    """By hand: 10 m/s from the left of a level aircraft that yaws by 0.5 rad/s take 5 m/s2 from what is true over the ground."""
+    to_the_east = (0.0, 10.0 / 0.3048, 0.0)
+    _, truth, measured = look(wind=to_the_east, u_dot=1.0, r=0.5)
+    assert measured[STATE.index("u_dot")] == pytest.approx(1.0 - 5.0)
+    assert truth[STATE.index("u_dot")] == 1.0
+    others = [i for i, name in enumerate(STATE) if name != "u_dot"]
+    assert np.array_equal(measured[others], truth[others])

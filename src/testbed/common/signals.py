@@ -3,8 +3,9 @@
 Frames: body axes, x forward, y right, z down, origin at the centre of gravity; north-east-down for navigation.
 Angles are in radians and right-handed: roll right, nose up and nose right are positive; heading is 0 to 2 pi from
 north; sideslip beta is positive with the wind from the right; a control surface is positive trailing edge down.
-Airspeed, alpha and beta are relative to the air (gusts included); p, q, r, attitude and `u_dot`, the rate of change of
-the body-x velocity, are relative to the ground.
+Airspeed, alpha and beta are relative to the air (gusts included); p, q, r and attitude to the ground. `u_dot` is the rate of change
+of the body-x velocity: of the truth over the ground; measured, through air that moves steadily, as an accelerometer and air data
+give it.
 
 A vector of signals is one row of float64, which the loop fills by index. Compiled functions read the same memory by name, as a
 numpy record, without a copy.

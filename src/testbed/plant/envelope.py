@@ -1,4 +1,4 @@
-"""One control step of the truth: logged in SI, copied to the ideal measurements, and checked for the end of the flight.
+"""One control step of the truth: logged in SI, measured ideally, and checked for the end of the flight.
 
 Plain Python that numba compiles. A row of truth has `signals.STATE`, then the position and then the effectiveness of each
 actuator (see `Plant.raw`).
@@ -14,6 +14,7 @@ import numpy as np
 from testbed.aircraft.description import Envelope
 from testbed.common.jit import compiled
 from testbed.common.signals import GROUND_M, STATE, as_records
+from testbed.common.units import METRES_PER_FOOT
 
 GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
 """Results of `observe`: the flight goes on, or why it ends."""
@@ -21,8 +22,8 @@ GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
 LIMITS = ("altitude_min", "airspeed_min", "airspeed_max", "alpha_max", "beta_max", "roll_max")
 """Limits of the flight envelope [m, m/s, rad]."""
 
-_ALTITUDE, _AIRSPEED, _ROLL, _ALPHA, _BETA = map(
-    STATE.index, ("altitude", "airspeed", "roll", "alpha", "beta")
+_ALTITUDE, _AIRSPEED, _ROLL, _PITCH, _HEADING, _ALPHA, _BETA, _Q, _R, _U_DOT = map(
+    STATE.index, ("altitude", "airspeed", "roll", "pitch", "heading", "alpha", "beta", "q", "r", "u_dot")
 )
 
 
@@ -49,21 +50,45 @@ def observe(k, channels):
 
     Args:
         k: the control step.
-        channels: raw and factors [17 + 2 n] of the plant, limits [1] (see `limits_of`), and two arrays to be filled: truth
-            [steps, 17 + 2 n] and measured [steps, 17]. Sensors with errors later overwrite the row of `measured`.
+        channels: raw and factors [17 + 2 n] and wind [3] of the plant, limits [1] (see `limits_of`), and two arrays to be filled:
+            truth [steps, 17 + 2 n] and measured [steps, 17]. Sensors with errors later overwrite the row of `measured`.
     """
-    raw, factors, limits, truth, measured = channels
+    raw, factors, wind, limits, truth, measured = channels
     row, finite = truth[k], True
     for i in range(len(raw)):
         row[i] = raw[i] * factors[i]
         finite = finite and math.isfinite(row[i])
     for i in range(measured.shape[1]):
         measured[k, i] = row[i]
+    measured[k, _U_DOT] += turning_of(wind, row)
     if not finite:
         return DIVERGED
     if row[_ALTITUDE] < GROUND_M:
         return ON_THE_GROUND
     return GOES_ON if inside(row, limits[0]) else OUTSIDE_ENVELOPE
+
+
+@compiled
+def turning_of(wind, row):
+    """What makes u_dot over the ground, of the truth, that through the air, of the measurement [m/s2]; 0 in calm air.
+
+    The rate of u contains - q w + r v (Etkin and Reid, sec. 4.7), in which v and w are over the ground. A controller knows those through
+    the air, from accelerometer and air data, and so does f_m. The difference is the turning of the wind with the body axes.
+
+    Args:
+        wind: velocity of the air, north, east, down [ft/s].
+        row: of truth.
+    """
+    north, east, down = METRES_PER_FOOT * wind[0], METRES_PER_FOOT * wind[1], METRES_PER_FOOT * wind[2]
+    if north == 0.0 and east == 0.0 and down == 0.0:
+        return 0.0
+    roll, pitch, heading = row[_ROLL], row[_PITCH], row[_HEADING]
+    ahead = north * math.cos(heading) + east * math.sin(heading)  # level, along the heading and to its right
+    right = east * math.cos(heading) - north * math.sin(heading)
+    below = down * math.cos(pitch) + ahead * math.sin(pitch)
+    v = right * math.cos(roll) + below * math.sin(roll)
+    w = below * math.cos(roll) - right * math.sin(roll)
+    return row[_Q] * w - row[_R] * v
 
 
 @compiled
