@@ -72,8 +72,8 @@ def observe(k, channels):
 def turning_of(wind, row):
     """What makes u_dot over the ground, of the truth, that through the air, of the measurement [m/s2]; 0 in calm air.
 
-    The rate of u contains - q w + r v (Etkin and Reid, sec. 4.7), in which v and w are over the ground. A controller knows those through
-    the air, from accelerometer and air data, and so does f_m. The difference is the turning of the wind with the body axes.
+    The rate of u contains - q w + r v (Etkin and Reid, sec. 4.7), in which v and w are over the ground. A controller knows those
+    through the air, from accelerometer and air data, and so does f_m. The difference is the wind's turning with the body axes.
 
     Args:
         wind: velocity of the air, north, east, down [ft/s].
