@@ -17,6 +17,7 @@ from testbed.controllers.inversion.jam_detection import THRUST_JAM_S, detect_jam
 from testbed.controllers.inversion.law import compensate, measured_error, reach, regressor
 from testbed.controllers.inversion.offset_detection import (
     BEYOND_SIGMAS,
+    GUST_S,
     JAM_S,
     JAM_SIGMA,
     expect_offset,
@@ -155,7 +156,10 @@ def test_a_lost_surface_without_a_force_in_the_model_error_does_not_look_jammed(
 def test_a_larger_force_takes_less_time_to_be_believed() -> None:
     m, c, _, s, _ = records()
     column, (s.lambda_hat[0], s.P[0, 0]) = np.array(m.B)[:, 0], (0.0, 1e-4)
-    one = JAM_SIGMA / np.sqrt(np.sum(column**2 / s.model_error_variance))
+    weight = column / s.model_error_variance
+    gusts = 0.5 * np.array(c.noise) ** 2 / GUST_S
+    variance = (np.sum(column * weight) + np.sum(gusts * weight**2)) / np.sum(column * weight) ** 2
+    one = JAM_SIGMA * np.sqrt(variance)
     for size, time in ((0.99, 0.0), (2.0, c.persistence / 4.0), (-4.0, c.persistence / 16.0)):
         s.b[:] = size * one * column
         assert time_to_stand_still(0, 1.0, m, c, s) == pytest.approx(time)

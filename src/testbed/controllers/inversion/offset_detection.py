@@ -26,6 +26,10 @@ DECISION_THRESHOLD = 0.5
 JAM_SIGMA, JAM_S = 4.0, 1.0
 """Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed, and how long it must stay
 beyond that [s]. At 25 ft/s lost effectiveness never goes beyond 1.1, and offsets of 5 deg go beyond 4 in half of 8 flights."""
+NEAR_SIGMAS = 1.5
+"""Standard deviations of the estimate within which the effectiveness of what is jammed is about 0; beyond, it may be weak."""
+GUST_S = 1.0
+"""Time over which the model error follows a gust [s], about."""
 BEYOND_SIGMAS = 3.0
 """Standard deviations of the estimate at which a hypothesis is rejected."""
 
@@ -73,20 +77,20 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 
     * the force in the model error is beyond `JAM_SIGMA` standard deviations: `persistence` at that force, and less as one over the
       square of a larger one, since a hardover leaves no time;
-    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `JAM_S` if it may be 0.
+    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `JAM_S` if it is about 0.
     """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
     if s.lambda_hat[i] >= min(DECISION_THRESHOLD, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
         return 0.0
     offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    beyond = abs(offset) / (sigma * JAM_SIGMA)
+    beyond = abs(offset) / (math.hypot(sigma, deviation_by_gusts(i, pressure_ratio, m, c, s)) * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
-    sure = BEYOND_SIGMAS * deviation(i, s)
-    if s.moved[i] == 0.0 or s.lambda_hat[i] > sure:
+    sigma = deviation(i, s)
+    if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * sigma:
         return 0.0
-    return c.persistence if s.lambda_hat[i] < -sure else JAM_S
+    return c.persistence if s.lambda_hat[i] < -BEYOND_SIGMAS * sigma else JAM_S
 
 
 @compiled
@@ -116,6 +120,18 @@ def offset_in_model_error(i, pressure_ratio, m, s):
         projection += column * weight * s.b[row]
         information += column * weight * column
     return projection / information, 1.0 / math.sqrt(information)
+
+
+@compiled
+def deviation_by_gusts(i, pressure_ratio, m, c, s):
+    """Standard deviation that gusts give the `offset_in_model_error`, which follows them too [scaled]."""
+    variance, information = 0.0, 0.0
+    for row in range(4):
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
+        weight = column / s.model_error_variance[row]
+        variance += 0.5 * c.noise[row] * c.noise[row] / GUST_S * weight * weight
+        information += column * weight
+    return math.sqrt(variance) / information
 
 
 @compiled
