@@ -36,7 +36,7 @@ CALM = (0.0, 0.0, 0.0)
 def look(
     envelope: Envelope = ENVELOPE, wind: Sequence[float] = CALM, **values: float
 ) -> tuple[int, np.ndarray, np.ndarray]:
-    """How the flight ends with these values in this wind [ft/s], the row of truth, and the measured one."""
+    """How the flight ends with these values in this wind [m/s], the row of truth, and the measured one."""
     raw = np.zeros(len(STATE) + 2 * ACTUATORS)
     for name, value in {**LEVEL, **values}.items():
         raw[STATE.index(name)] = value
@@ -103,7 +103,7 @@ def test_every_limit_has_its_own_place() -> None:
 
 def test_in_wind_u_dot_is_measured_through_the_air() -> None:
     """By hand: 10 m/s from the left of a level aircraft that yaws by 0.5 rad/s take 5 m/s2 from what is true over the ground."""
-    to_the_east = (0.0, 10.0 / 0.3048, 0.0)
+    to_the_east = (0.0, 10.0, 0.0)
     _, truth, measured = look(wind=to_the_east, u_dot=1.0, r=0.5)
     assert measured[STATE.index("u_dot")] == pytest.approx(1.0 - 5.0)
     assert truth[STATE.index("u_dot")] == 1.0

@@ -30,6 +30,7 @@ class Weather:
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
         settings: the air of the flight, with the gusts that were added to it.
+        now: [3] velocity of the air in the present step, as in `wind`; always the same array, in calm air 0.
         wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
 
@@ -37,6 +38,7 @@ class Weather:
         self.settings, self.plant, self.rate_hz, self.seed = settings, plant, rate_hz, seed
         self.next_step = math.inf if settings.is_calm else 0
         self._steps = steps
+        self.now = np.zeros(3)
         self.wind = np.zeros((0 if settings.is_calm else steps, 3))
         self._steady = np.array(settings.wind_m_s)
         self._gusty = self._stirred = False
@@ -109,6 +111,7 @@ class Weather:
         """Log the wind of this step, and set that of the next. Own turbulence knows the wind without asking the plant."""
         if self._turbulence is None:
             self.wind[step] = self.plant.total_wind()
+        self.now[:] = self.wind[step]
         if self._starts:
             self._put_gusts(step)
         if self._turbulence is not None:

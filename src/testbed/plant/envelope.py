@@ -14,13 +14,15 @@ import numpy as np
 from testbed.aircraft.description import Envelope
 from testbed.common.jit import compiled
 from testbed.common.signals import GROUND_M, STATE, as_records
-from testbed.common.units import METRES_PER_FOOT
 
 GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
 """Results of `observe`: the flight goes on, or why it ends."""
 
 LIMITS = ("altitude_min", "airspeed_min", "airspeed_max", "alpha_max", "beta_max", "roll_max")
 """Limits of the flight envelope [m, m/s, rad]."""
+
+CALM_M_S = 1e-9
+"""Wind below which the air is calm: JSBSim's rounding leaves 1e-14 of a wind that nobody set [m/s]."""
 
 _ALTITUDE, _AIRSPEED, _ROLL, _PITCH, _HEADING, _ALPHA, _BETA, _Q, _R, _U_DOT = map(
     STATE.index, ("altitude", "airspeed", "roll", "pitch", "heading", "alpha", "beta", "q", "r", "u_dot")
@@ -50,8 +52,8 @@ def observe(k, channels):
 
     Args:
         k: the control step.
-        channels: raw and factors [17 + 2 n] and wind [3] of the plant, limits [1] (see `limits_of`), and two arrays to be filled:
-            truth [steps, 17 + 2 n] and measured [steps, 17]. Sensors with errors later overwrite the row of `measured`.
+        channels: raw and factors [17 + 2 n] of the plant, wind [3] of the air, limits [1] (see `limits_of`), and two arrays to be
+            filled: truth [steps, 17 + 2 n] and measured [steps, 17]. Sensors with errors later overwrite the row of `measured`.
     """
     raw, factors, wind, limits, truth, measured = channels
     row, finite = truth[k], True
@@ -76,11 +78,11 @@ def turning_of(wind, row):
     through the air, from accelerometer and air data, and so does f_m. The difference is the wind's turning with the body axes.
 
     Args:
-        wind: velocity of the air, north, east, down [ft/s].
+        wind: velocity of the air, north, east, down [m/s].
         row: of truth.
     """
-    north, east, down = METRES_PER_FOOT * wind[0], METRES_PER_FOOT * wind[1], METRES_PER_FOOT * wind[2]
-    if north == 0.0 and east == 0.0 and down == 0.0:
+    north, east, down = wind[0], wind[1], wind[2]
+    if abs(north) + abs(east) + abs(down) < CALM_M_S:
         return 0.0
     roll, pitch, heading = row[_ROLL], row[_PITCH], row[_HEADING]
     ahead = north * math.cos(heading) + east * math.sin(heading)  # level, along the heading and to its right

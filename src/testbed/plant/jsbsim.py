@@ -39,7 +39,6 @@ from testbed.plant.properties import (
     position_property,
 )
 
-_PACK_WIND = struct.Struct("3d").pack_into
 _MILSPEC_TURBULENCE = 3
 
 # Runs an iterator to its end and keeps no item: the fastest way to make the calls of a `map`.
@@ -147,7 +146,6 @@ class Plant:
         step: advances by one control step. With one substep this is JSBSim's own `run`, to save the cost of a call around it.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
-        wind: [3] velocity of the air over the ground at the last sample, north, east, down [ft/s].
         air_factors: [6] from SI to the units of `blow`.
         factors: [17 + 2 n] from `raw` to SI, but for positions: to degrees and newtons, the units of the aircraft's YAML.
     """
@@ -179,8 +177,6 @@ class Plant:
         self.blow = _together(*self._put_wind, *rotation)
         self.air_factors = np.array([1.0 / METRES_PER_FOOT] * 3 + [1.0] * 3)
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
-        self.wind = np.zeros(3)
-        self._wind_bytes = memoryview(self.wind).cast("B")  # type: ignore[arg-type]
 
     @contextmanager
     def in_words(self) -> Iterator[None]:
@@ -228,9 +224,8 @@ class Plant:
             self._run()
 
     def sample(self) -> None:
-        """Read all signals into `raw` and `wind`, in JSBSim's units; the loop does this in each step."""
+        """Read all signals into `raw`, in JSBSim's units; the loop does this in each step."""
         self._pack(self._bytes, 0, *map(call, self._getters))
-        _PACK_WIND(self._wind_bytes, 0, *map(call, self._total_wind))
 
     def read(self) -> np.ndarray:
         """The present signals as a new row [17 + 2 n]: `raw` times `factors`."""

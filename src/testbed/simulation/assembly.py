@@ -179,7 +179,7 @@ class Lockstep:
             parts.controller.bind_sensed(parts.sensed.rows)  # type: ignore[attr-defined]
         parts.injector.observe(rows)
         limits = limits_of(parts.aircraft.envelope)
-        self._channels = (parts.plant.raw, parts.plant.factors, parts.plant.wind, limits, truth, measured)
+        self._channels = (parts.plant.raw, parts.plant.factors, parts.weather.now, limits, truth, measured)
         self._log_truth = bound(observe, 0, self._channels)
 
     @property
