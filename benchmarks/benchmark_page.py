@@ -55,9 +55,9 @@ NOTES = """\
 ## How to read it
 
 Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
-mean or a rank. *Best of all* is the best controller in each draw, the five that are told the truth among them, of which the table
-has the best: what can be held is that or more. `indi_monitor` has the default's diagnosis. *Effort* is the median ratio in the same
-draw.
+mean or a rank. *Best of all* is the best controller in each draw, the five that are told the truth among them (the table
+shows the best of these): what can be held is that or more. `indi_monitor` has the default's diagnosis. *Effort* is the median ratio
+in the same draw.
 [Columns and groups](../reference/benchmark.md#what-is-measured).
 """
 HEALTHY_HEAD = """\

@@ -302,7 +302,7 @@ that breaks a requirement: larger is better. In brackets is what this flight has
 towards north and down, and, unless all do, how many of {beside} flights beside it break a requirement too. These {beside} are
 {apart:g} standard deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a
 failure that stands alone among flights that pass, hardly any. *Breaks last* names all controllers within 10 %
-of the largest distance: longer searches found up to 8 % less with an earlier law, and {less:.0f} % less with this one.
+of the largest distance: the longer searches found up to {less:.0f} % less.
 The last column is the distance found over that of a search of at most {check} flights with the
 same seed, where one was made.
 

@@ -10,7 +10,7 @@ from vtail_setup import PAPER, WEATHER, records_of, setpoint, trim_state, vtail_
 
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.controllers.outer_loops import accumulate, clip, given_up, pid_loops, regulate, wrap
+from testbed.controllers.outer_loops import accumulate, clip, given_up, pid_loops, regulate, traded, wrap
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
 
 SETUP = vtail_setup()
@@ -147,6 +147,14 @@ def test_an_aircraft_that_is_too_fast_for_a_jam_climbs_and_does_not_descend() ->
         k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
         regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         assert w.nu[0] == pytest.approx(altitude_error)
+
+
+def test_however_fast_it_is_it_climbs_as_for_the_largest_altitude_error() -> None:
+    m, c, k, s, _ = records_of(SETUP)
+    k.fast_climb, k.airspeed_too_fast = 0.5, MODEL.airspeed_m_s
+    for fast, height in ((2.0, -1.0), (100.0, -c.altitude_error_max)):
+        y = trim_state(MODEL, airspeed=MODEL.airspeed_m_s + fast)
+        assert traded(0.0, MODEL.airspeed_m_s, y, m, c, k, s) == pytest.approx(height)
 
 
 def test_too_much_airspeed_does_not_wind_up_before_a_slow_trim() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from testbed.aircraft.description import Envelope
+from testbed.common.angles import body_from_ned
 from testbed.common.signals import STATE
 from testbed.plant.envelope import (
     DIVERGED,
@@ -99,6 +100,15 @@ def test_every_limit_has_its_own_place() -> None:
     assert [float(limits[name]) for name in LIMITS] == pytest.approx(
         [10.0, 8.0, 40.0, np.radians(20), np.radians(25), np.radians(80)]
     )
+
+
+def test_in_any_attitude_it_is_the_turning_of_the_wind_with_the_body() -> None:
+    wind, rates = np.array([4.0, -3.0, 1.5]), {"p": 0.3, "q": -0.2, "r": 0.5}
+    attitude = {"roll": 0.4, "pitch": -0.3, "heading": 2.1}
+    _, truth, measured = look(wind=wind.tolist(), **attitude, **rates)
+    turning = np.cross(list(rates.values()), body_from_ned(**attitude) @ wind)
+    place = STATE.index("u_dot")
+    assert measured[place] - truth[place] == pytest.approx(turning[0])
 
 
 def test_in_wind_u_dot_is_measured_through_the_air() -> None:

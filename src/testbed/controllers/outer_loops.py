@@ -142,9 +142,8 @@ def traded(e_height, airspeed, y, m, c, k, s):
     if k.fast_climb > 0.0 and fast > 0.0:
         share = max(1.0 - 2.0 * fast / c.airspeed_error_max, 0.0)  # of being too high that still counts
         e_height = min(e_height, 0.0) + share * max(e_height, 0.0) - k.fast_climb * fast
-        e_height = max(
-            e_height, -c.altitude_error_max
-        )  # one that is far too fast would pull up into the stall
+        # Without a limit, one that is far too fast would pull up into the stall.
+        e_height = max(e_height, -c.altitude_error_max)
     return e_height
 
 

@@ -344,9 +344,9 @@ def _end(flight: Flight, view: Readings) -> Iterator[str]:
         after = f"{back['after_s']:.1f} s after the failure{', which it did not notice' if unseen else ''}"
         yield f"Recovered {after}: within {_within(RECOVERED)} from then on."
     else:
-        held = "Held, not noticed" if unseen else "It held"
         since = " since the last failure" if times[0] < times[-1] else ""
-        yield f"{held}{since}: {_STAYED} of their references."
+        held = f"Held{since}, not noticed" if unseen else f"It held{since}"
+        yield f"{held}: {_STAYED} of their references."
 
 
 def _not_recovered(view: Readings, failed_s: float) -> str:

@@ -179,7 +179,10 @@ class Lockstep:
             parts.controller.bind_sensed(parts.sensed.rows)  # type: ignore[attr-defined]
         parts.injector.observe(rows)
         limits = limits_of(parts.aircraft.envelope)
-        self._channels = (parts.plant.raw, parts.plant.factors, parts.weather.now, limits, truth, measured)
+        wind = (
+            parts.weather.now if parts.sensors is None else np.zeros(3)
+        )  # real sensors measure u_dot themselves
+        self._channels = (parts.plant.raw, parts.plant.factors, wind, limits, truth, measured)
         self._log_truth = bound(observe, 0, self._channels)
 
     @property

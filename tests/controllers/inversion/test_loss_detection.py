@@ -41,6 +41,18 @@ def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
     assert s.failed[0] == failed and sum(changed) == failed
 
 
+@pytest.mark.parametrize(("deviation", "failed"), [(0.02, 1), (0.05, 0)])
+def test_one_that_has_long_been_low_beyond_doubt_is_to_blame_whatever_others_do(
+    deviation: float, failed: int
+) -> None:
+    """The rudder of an A320 had been lost slowly, and any other estimate that moved cleared it."""
+    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    s.lambda_slow[0], s.lambda_hat[:], s.P[0, 0] = 0.0, (0.0, 0.7, 1.2, 1.0), deviation**2
+    for _ in range(22):
+        monitor(False, m, c, s)
+    assert s.failed[0] == failed
+
+
 @pytest.mark.parametrize(
     ("left", "right", "flagged"),
     [

@@ -147,6 +147,17 @@ def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None
         assert (time_to_stand_still(0, 1.0, m, c, s) > 0.0, follows(0, m, c, s)) == (still, moves)
 
 
+@pytest.mark.parametrize(("sigmas", "time"), [(1.4, JAM_S), (1.6, 0.0), (-2.9, JAM_S), (-3.1, 0.1)])
+def test_one_that_has_moved_with_a_small_force_is_jammed_if_its_effectiveness_is_about_0(
+    sigmas: float, time: float
+) -> None:
+    m, c, _, s, _ = records()
+    s.lambda_hat[0], s.P[0, 0], s.moved[0] = sigmas * 0.15, 0.15**2, 1.0
+    assert time_to_stand_still(0, 1.0, m, c, s) == pytest.approx(time)
+    s.moved[0] = 0.0
+    assert time_to_stand_still(0, 1.0, m, c, s) == 0.0
+
+
 def test_a_lost_surface_without_a_force_in_the_model_error_does_not_look_jammed() -> None:
     m, c, _, s, _ = records()
     s.lambda_hat[0], s.P[0, 0] = 0.0, 1e-4

@@ -12,13 +12,15 @@ import math
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.inversion.law import TIMER_ROUNDING
+from testbed.controllers.inversion.offset_detection import deviation
 
 SLOW_LAG_S = 3.0
 """Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
 SUDDEN_LOSS = 0.5
 """Fall of an estimate below the slow one [1] that no error of the estimate explains."""
 STANDING_SIGMA = 2.0
-"""Standard deviations by which the slow estimate must be below `threshold` to be low beyond doubt, however it came there."""
+"""Present standard deviations by which the slow estimate must be below `threshold` to be low beyond doubt, however it came there.
+An estimate of 0 needs one of 0.03."""
 INFORMATIVE_STD = 0.5
 """Largest standard deviation of an estimate [1] that says anything about which actuator has failed."""
 CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
@@ -45,7 +47,7 @@ def is_to_blame(i, c, s):
     fell = s.lambda_slow[i] - s.lambda_hat[i]
     if fell > SUDDEN_LOSS or not c.weighted:
         return True
-    if s.lambda_slow[i] + STANDING_SIGMA * math.sqrt(s.P[i, i]) < c.threshold:
+    if s.lambda_slow[i] + STANDING_SIGMA * deviation(i, s) < c.threshold:
         return True
     for j in range(len(s.lambda_hat)):
         if j != i and not s.failed[j] and s.P[j, j] < INFORMATIVE_STD * INFORMATIVE_STD:
