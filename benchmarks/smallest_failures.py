@@ -310,7 +310,7 @@ same seed, where one was made.
 
 Breaks last alone: {alone}. With `none` the gust alone does it; it also counts for a failure
 with a severity, where it was the nearest. Where a failure's distance is about that of `none`, it is the gust that breaks, and
-not the failure. *Breaks without a gust* can be by little: a reversal leads `default` to 10 deg of heading.
+not the failure.
 Distances of different failures are not to be compared: each has a severity with a range of its own.
 """
 
