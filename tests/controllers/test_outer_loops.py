@@ -8,9 +8,19 @@ import numpy as np
 import pytest
 from vtail_setup import PAPER, WEATHER, records_of, setpoint, trim_state, vtail_setup
 
+from testbed.aircraft.design_model import COLUMNS, ROWS
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.controllers.outer_loops import accumulate, clip, given_up, pid_loops, regulate, traded, wrap
+from testbed.controllers.outer_loops import (
+    accumulate,
+    clip,
+    given_up,
+    left_to_thrust,
+    pid_loops,
+    regulate,
+    traded,
+    wrap,
+)
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
 
 SETUP = vtail_setup()
@@ -176,6 +186,55 @@ def test_beyond_the_stall_the_nose_goes_down() -> None:
         regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         wanted = -0.04 * c.pitch_kp * c.q_kp if beyond > 0.0 else 0.0
         assert w.nu == pytest.approx([0.0, wanted, 0.0, 0.0])
+
+
+@pytest.mark.parametrize(("settings", "pulls"), [(WEATHER, True), (PAPER, False)])
+def test_below_the_angle_of_no_lift_the_nose_goes_up_but_in_the_preset_of_the_paper(
+    settings: AdaptiveInversionSettings, pulls: bool
+) -> None:
+    """By hand: the lift of 1 g is g over its slope of angle; 0.01 rad below no lift pulls as much as the stall pushes."""
+    m, c, k, s, w = records_of(vtail_setup(settings, released=()))
+    lift = -MODEL.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]
+    no_lift = MODEL.alpha_rad - GRAVITY_M_S2 / lift
+    assert -0.1 < no_lift < 0.0 < MODEL.alpha_rad
+    asked = []
+    for beyond in (0.01, -0.01):
+        pid_loops(trim_state(MODEL, alpha=no_lift + beyond), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+        asked.append(float(s.x_dc_dot[Q_DOT]))
+    assert asked[1] - asked[0] == pytest.approx(0.04 * c.pitch_kp * c.q_kp if pulls else 0.0)
+
+
+@pytest.mark.parametrize(
+    ("e_speed", "beyond_m", "left"),
+    [
+        (-2.0, 0.0, -2.0),
+        (-2.0, 1.0, -1.0),
+        (-2.0, 5.0, 0.0),
+        (-2.0, -5.0, -2.0),
+        (2.0, -1.0, 1.0),
+        (2.0, 5.0, 2.0),
+    ],
+)
+def test_airspeed_whose_energy_altitude_has_is_not_left_to_thrust(
+    e_speed: float, beyond_m: float, left: float
+) -> None:
+    """At g m/s a metre is worth 1 m/s. Only what is beyond the limit of altitude errors counts."""
+    _, c, *_ = records_of(vtail_setup(WEATHER))
+    high = (
+        beyond_m + math.copysign(c.altitude_error_max, beyond_m) if beyond_m else 0.9 * c.altitude_error_max
+    )
+    found = left_to_thrust(e_speed, high, trim_state(MODEL, airspeed=GRAVITY_M_S2), c)
+    assert found == pytest.approx(left)
+
+
+def test_an_aircraft_that_gives_up_altitude_asks_for_more_than_the_largest_u_dot() -> None:
+    """A healthy OV-10, whose largest u_dot is 0.15 m/s2, was throttled down 25 m/s below its reference, and stalled."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER, released=()))
+    for missing in (k.slow_descent_from, k.slow_descent_from + 3.0):
+        slow = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - missing)
+        c.u_dot_max, s.airspeed_integral = 0.1, 0.0
+        pid_loops(slow, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+        assert s.x_dc_dot[U_DOT] == pytest.approx(0.1 + c.airspeed_kp * (missing - k.slow_descent_from))
 
 
 @pytest.mark.parametrize("sink", [0.0, 2.0])

@@ -8,9 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.aircraft.control_design import LOOP_GAINS
-from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.design_model import COLUMNS, ROWS, DesignModel
 from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
+from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.degraded_aircraft import forward_curvature
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
@@ -46,6 +47,7 @@ def model_record(setup: Setup) -> np.ndarray:
     m.sideslip[:], m.gyroscopic[:] = model.sideslip[:4], model.gyroscopic
     linear = isinstance(setup.settings, AdaptiveInversionSettings) and setup.settings.preset == "paper"
     m.forward_curvature = 0.0 if linear else forward_curvature(model)
+    m.zero_lift_alpha = -math.inf if linear else _zero_lift_alpha(model)
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     for i, propulsor in enumerate(model.propulsors):
         if isinstance(propulsor, Propulsor):
@@ -56,6 +58,12 @@ def model_record(setup: Setup) -> np.ndarray:
             m.thrust_map[i], m.rising_map[i] = np.array(p.thrust) / scale[i], p.rising / scale[i]
             m.engine_lag[i], m.rise[i], m.fall[i] = p.lag_rad_s, p.rise_s, p.fall_s
     return record
+
+
+def _zero_lift_alpha(model: DesignModel) -> float:
+    """Angle of attack at which the lift of the reference condition, its weight, is gone [rad]."""
+    slope = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]
+    return model.alpha_rad - GRAVITY_M_S2 / slope if slope > 0.0 else -math.inf
 
 
 def _fill_motor(m: np.record, i: int, p: Propulsor, model: DesignModel) -> None:

@@ -52,8 +52,24 @@ def clip(x, most):
 
 @compiled
 def beyond_stall(y, m, c):
-    """Nose-down acceleration beyond the stall angle [rad/s2]."""
-    return STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+    """Nose-down acceleration beyond the stall angle, and nose-up acceleration below that of no lift [rad/s2]: a climb that turns
+    into a descent at once pushed an airliner to -15 deg, where its drag was taken for lost thrust."""
+    beyond = max(y.alpha - m.stall_alpha, 0.0) + min(y.alpha - m.zero_lift_alpha, 0.0)
+    return STALL_GAIN * c.pitch_kp * c.q_kp * beyond
+
+
+@compiled
+def left_to_thrust(e_speed, e_height, y, c):
+    """Airspeed error that thrust is to correct [m/s]: `e_speed`, less what altitude is worth, g h / V. That counts of an altitude
+    error `e_height` of the other sign what is beyond `altitude_error_max` [m].
+
+    Thrust changes the sum of both energies. An aircraft that is far too high and too slow has enough of it, and one that is far
+    too low and too fast has none to lose."""
+    beyond = e_height - clip(e_height, c.altitude_error_max)
+    worth = GRAVITY_M_S2 * beyond / max(y.airspeed, 1.0)
+    if e_speed * worth >= 0.0:
+        return e_speed
+    return math.copysign(max(abs(e_speed) - abs(worth), 0.0), e_speed)
 
 
 @compiled
@@ -61,18 +77,24 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
     Not of the paper, and not in its preset, which has no `give_up_time`: altitude is given up for airspeed (`traded`), or a weak
-    engine ends in a stall. Fills nu [4] and `s.x_dc_dot` [4].
+    engine ends in a stall; airspeed is left to altitude where that has its energy (`left_to_thrust`); and an aircraft that is so
+    slow that it gives up altitude asks for more than `u_dot_max`, which is as little as 0.15 m/s2 where thrust is scarce. Fills
+    nu [4] and `s.x_dc_dot` [4].
     """
     dt, v = c.dt, max(y.airspeed, 1.0)
-    e_speed = clip(ref.airspeed - y.airspeed, c.airspeed_error_max)
-    e_height = clip(ref.altitude - y.altitude, c.altitude_error_max)
+    fast, high, too_slow = y.airspeed - ref.airspeed, y.altitude - ref.altitude, 0.0
+    e_height = -clip(high, c.altitude_error_max)
     if c.give_up_time > 0.0:
+        fast = left_to_thrust(fast, high, y, c)
         e_height = -traded(-e_height, ref.airspeed, y, m, c, k, s)
+        too_slow = max(-fast - k.slow_descent_from, 0.0)
+    e_speed = -clip(fast, c.airspeed_error_max)
     e_heading = clip(wrap(ref.heading - y.heading), c.heading_error_max)
 
     # airspeed through u_dot
     s.airspeed_integral = clip(s.airspeed_integral + c.airspeed_ki * e_speed * dt, c.u_dot_max)
-    s.x_dc_dot[U_DOT] = clip(c.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, c.u_dot_max)
+    u_dot = clip(c.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, c.u_dot_max)
+    s.x_dc_dot[U_DOT] = u_dot + c.airspeed_kp * too_slow
 
     # altitude through q_dot: climb rate, then pitch, then pitch rate
     # Beyond the climb limit the error says how far it is, not what pitch is missing.
@@ -180,7 +202,8 @@ def regulate(y, ref, m, c, k, s, f, nu):
     nose-down acceleration is added. Fills nu [4] and `s.x_dc_dot` [4].
     """
     wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
-    e_speed = clip(y.airspeed - max(wanted, k.airspeed_low), c.airspeed_error_max)
+    e_speed = left_to_thrust(y.airspeed - max(wanted, k.airspeed_low), y.altitude - ref.altitude, y, c)
+    e_speed = clip(e_speed, c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, m, c, k, s)
     integrate_errors(e_speed, e_height, e_heading, c, k, s)

@@ -64,6 +64,7 @@ MODEL = (
     Field("airspeed", (), "m/s", "V_0 of the reference condition"),
     Field("alpha", (), "rad", "alpha_0 of the reference condition"),
     Field("stall_alpha", (), "rad", "angle of attack beyond which lift grows at less than half its slope"),
+    Field("zero_lift_alpha", (), "rad", "angle of attack below which the lift points down; not in the paper's preset"),
     Field("density", (), "kg/m3", "of the air at the reference condition"),
     Field("bias", (4,), "x_c", "f_m at the reference condition, gravity apart; it includes `offset`", "(2)"),
     Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),

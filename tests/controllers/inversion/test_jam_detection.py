@@ -212,7 +212,7 @@ def test_a_motor_that_is_stuck_is_never_reversed() -> None:
 
 def test_a_reversed_actuator_flagged_on_its_way_is_judged_from_the_farthest() -> None:
     """It is flagged before its command is at the stop: the force goes on for a moment, and then comes back."""
-    m, c, _, s, _ = taken_at(-0.9)
+    m, c, _, s, _ = taken_at(-1.05)
     s.since_flag[1] = ROUGH_S
     for estimate, changed in ((-1.1, 0), (-1.5, 1), (-0.2, 1)):
         s.lambda_hat[1] = estimate

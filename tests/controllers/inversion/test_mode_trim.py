@@ -306,3 +306,18 @@ def test_a_propeller_that_brakes_is_flown_as_fast_as_a_lost_one() -> None:
     flight, held = steady_flight(remaining(3, jammed={3: -0.75}), LOOPS, "")
     assert held == ("airspeed", "altitude", "heading")
     assert flight.state[AIRSPEED] == pytest.approx(V + LOOPS.lost_thrust_faster_m_s, abs=0.5)
+
+
+def test_a_jam_that_needs_bank_keeps_its_airspeed_where_pitch_is_controlled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A T-6's rudder jammed by a degree needs 4 deg of bank; with level wings it flew at two thirds of its airspeed, near the
+    stall. Without pitch control the one airspeed is flown at which the jam itself balances pitch, and it is not held."""
+    degraded = remaining(0, jammed={0: -0.3})
+    monkeypatch.setattr(mode_trim, "_WINGS_LEVEL", 1e-3)
+    flight, held = steady_flight(degraded, LOOPS, "")
+    assert held == ("airspeed", "altitude", "heading") and flight.state[AIRSPEED] == pytest.approx(V)
+    assert abs(flight.state[ROLL]) > 1e-3
+    monkeypatch.undo()
+    flight, held = steady_flight(replace(degraded, pitch_controlled=False), LOOPS, "")
+    assert held == ("altitude", "heading") and 0.9 * V < flight.state[AIRSPEED] < V

@@ -32,6 +32,7 @@ class DegradedAircraft:
             others that of the reference trim, which is the first guess for those that are available.
         thrusts: [73] scaled thrust of each jammed motor or engine by `_THRUST_AIRSPEEDS`, by its index. Its throttle stays, and so
             its thrust falls with airspeed.
+        pitch_controlled: whether the mode keeps q_dot, so that no sideslip is needed to balance pitch.
     """
 
     model: DesignModel
@@ -41,6 +42,7 @@ class DegradedAircraft:
     effective: np.ndarray
     positions: np.ndarray
     thrusts: Mapping[int, np.ndarray] = field(default_factory=dict)
+    pitch_controlled: bool = True
 
     @classmethod
     def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> DegradedAircraft:
@@ -58,7 +60,8 @@ class DegradedAircraft:
             for i, position in jammed.items()
             if (propulsor := model.propulsors[i]) is not None
         }
-        return cls(model, scale, setup.limits, available, effective, positions, thrusts)
+        kept = "q_dot" not in mode.released
+        return cls(model, scale, setup.limits, available, effective, positions, thrusts, kept)
 
     @property
     def used(self) -> np.ndarray:

@@ -58,8 +58,9 @@ ROUGH_S = 0.05
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
-REDESIGN_AFTER = 0.3
-"""Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
+REDESIGN_AFTER = 0.1
+"""Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again: the step to which
+designs are rounded. Without an elevator a tenth of its unit changes the only level airspeed by a tenth."""
 
 
 @compiled

@@ -33,8 +33,9 @@ _BANK_MAX = 0.35
 """Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
 aircraft."""
 _WINGS_LEVEL = 0.03
-"""Bank [rad] up to which the wings are level. Where an aircraft has level flights only with more, one at another airspeed without
-is preferred. Without an elevator the linear model balances pitch by the drag of a sideslip, and the aircraft does not."""
+"""Bank [rad] up to which the wings are level, which a mode that does not control pitch must have. Where it has level flights only
+with more, one at another airspeed without is preferred: the linear model balances pitch by the drag of a sideslip, and the
+aircraft does not. Where pitch is controlled bank is no such balance, and a rudder that is jammed by a degree needs some."""
 _ANGLE = 0.1
 """Angle of attack [rad] below the stall that is as good a margin as one scaled unit of an actuator. Gusts take both."""
 _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
@@ -159,12 +160,17 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
     near, anywhere = at_path_angles(degraded, faster, np.zeros(5)), _level_anywhere(degraded)
     for stop_factor in (1.0, _BEYOND_STOPS):
-        yield _wings_level(near), _EVERYTHING, _nearest(wanted), stop_factor
-    yield _wings_level(anywhere), _EVERYTHING, _nearest(wanted), 1.0
-    yield _wings_level(_level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
+        yield _wings_level(degraded, near), _EVERYTHING, _nearest(wanted), stop_factor
+    yield _wings_level(degraded, anywhere), _EVERYTHING, _nearest(wanted), 1.0
+    yield _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
     yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
     yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
-    yield _wings_level(_anywhere(degraded)), ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
+    yield (
+        _wings_level(degraded, _anywhere(degraded)),
+        ("airspeed", "heading"),
+        _roomiest(degraded, wanted),
+        1.0,
+    )
     yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 
 
@@ -179,15 +185,13 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
             yield from _with_stuck_thrust(degraded)
         yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
         return
-    flights, one = _level_anywhere(degraded), _wings_level(_level_at_one(degraded))
-    for level_flights, held in (
-        (_wings_level(flights), _EVERYTHING),
-        (one, ("altitude", "heading")),
-        (flights, _EVERYTHING),
-    ):
+    flights, one = _level_anywhere(degraded), _wings_level(degraded, _level_at_one(degraded))
+    at_any, at_one = (_wings_level(degraded, flights), _EVERYTHING), (one, ("altitude", "heading"))
+    in_order = (at_any, at_one) if degraded.pitch_controlled else (at_one, at_any)
+    for level_flights, held in (*in_order, (flights, _EVERYTHING)):
         if margins(degraded, level_flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
             yield level_flights, held, preference, 1.0
-    yield _wings_level(_anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
+    yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
     yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 
@@ -214,8 +218,9 @@ def _level_at_one(degraded: DegradedAircraft) -> SteadyFlight:
     return level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
 
 
-def _wings_level(flights: SteadyFlight) -> SteadyFlight:
-    return flights.only(np.abs(flights.state[:, ROLL]) < _WINGS_LEVEL)
+def _wings_level(degraded: DegradedAircraft, flights: SteadyFlight) -> SteadyFlight:
+    """Those with `_WINGS_LEVEL`, or all where pitch is controlled."""
+    return flights.only((np.abs(flights.state[:, ROLL]) < _WINGS_LEVEL) | degraded.pitch_controlled)
 
 
 def _anywhere(degraded: DegradedAircraft) -> SteadyFlight:
