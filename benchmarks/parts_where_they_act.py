@@ -36,9 +36,10 @@ KINDS: dict[str, tuple[str, Callable[[Entry], bool]]] = {
     "swings": ("swing_test", _of("swings")),
     "late": ("lateness", lambda entry: entry["type"] in ("lag", "delay")),
     "thrust": ("speed_rule", _thrust),
+    "recoveries": ("probing", _of("lost", "jammed near trim", "jammed far from trim", "floats")),
     "stuck_sensors": ("sensor_guard", lambda entry: True),
 }
-"""Kinds of flights: the part that they are for, and which entries of the suite's failures are drawn."""
+"""Kinds of flights: the part that they are for, and which entries of the suite's failures are drawn. Recoveries all end."""
 
 
 def suite_of(kind: str) -> dict[str, Any]:
@@ -59,6 +60,8 @@ def suite_of(kind: str) -> dict[str, Any]:
         return suite
     failures["types"] = [each for each in failures["types"] if wanted(each)]
     failures["count"] = {"choice": [1, 2], "weights": [3, 1]}
+    if kind == "recoveries":
+        failures["ends"] = 1.0
     if kind == "thrust":
         failures["types"] = [{**each, "of": "motor"} for each in failures["types"]]
     return suite
