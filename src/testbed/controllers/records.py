@@ -200,6 +200,7 @@ MEMORY = (
     Field("since_flag", (_N,), "s", "time since the flag was set or taken back, or the actuator taken for jammed"),
     Field("jammed", (_N,), "flag", "the force of the actuator does not follow its command, so its position is estimated"),
     Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
+    Field("departed", (), "flag", "altitude or heading is farther from its reference than the outer loops look"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
     Field("reversal_timer", (_N,), "s", "how long the actuator has looked jammed by other signs than the residual"),
     Field("designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"),

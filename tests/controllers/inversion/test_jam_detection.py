@@ -104,6 +104,26 @@ def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
     assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
 
 
+@pytest.mark.parametrize(
+    ("departed", "at_stop", "estimate", "held"),
+    [(1, -1, 0.16, True), (0, -1, 0.16, False), (1, 0, 0.16, False), (1, 1, 0.3, False)],
+)
+def test_a_weak_surface_that_stands_at_its_stop_is_held_once_the_flight_departs(
+    departed: int, at_stop: int, estimate: float, held: bool
+) -> None:
+    """An Aerosonde's elevator stuck near its trim looked like one with 0.16 of its effect for 40 s, and 200 m were lost: at a stop
+    the two are the same force."""
+    m, c, _, s, _ = records()
+    s.lambda_hat[1], s.saturated, s.at_stop[1], s.departed = estimate, 1, at_stop, departed
+    s.filtered_phi[1, :, 1] = -2.5 * m.B[:, 1]
+    steps = round(JAM_S / c.dt)
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps)) and not s.jammed.any()
+    for _ in range(3):
+        detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert bool(s.jammed[1]) == held
+    assert s.lambda_hat[1] == pytest.approx(-2.5 * estimate if held else estimate)
+
+
 def test_the_position_of_a_jam_is_that_of_the_filtered_regression() -> None:
     """The command runs to a stop when an actuator jams, so its modelled position is far ahead of what the estimate belongs to."""
     m, c, _, s, _ = records()

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
 
-from testbed.controllers.inversion.loss_detection import CONFIRM_BELOW, CONFIRM_S, is_steady, monitor
+from testbed.controllers.inversion.loss_detection import (
+    CONFIRM_BELOW,
+    CONFIRM_S,
+    has_departed,
+    is_steady,
+    monitor,
+)
 
 SETUP = vtail_setup()
 MODEL = SETUP.model
@@ -92,6 +100,23 @@ def test_what_was_taken_back_is_not_given_up_as_long_as_the_flight_is_steady() -
     s.lambda_hat[0], s.early[0] = 0.03, 1
     assert not any(monitor(True, m, c, s) for _ in range(5000))
     assert monitor(False, m, c, s) == 1 and s.failed[0] == 1
+
+
+@pytest.mark.parametrize(
+    ("height", "heading", "departed"),
+    [(0.9, 0.9, False), (-1.1, 0.0, True), (0.0, 1.1, True), (0.0, -1.1, True)],
+)
+def test_a_flight_has_departed_beyond_the_errors_that_the_loops_look_at(
+    height: float, heading: float, departed: bool
+) -> None:
+    """Headings count the short way round."""
+    c = records_of(vtail_setup(WEATHER)).c
+    y = trim_state(
+        MODEL,
+        altitude=300.0 + height * c.altitude_error_max,
+        heading=heading * c.heading_error_max % (2.0 * math.pi),
+    )
+    assert has_departed(y, setpoint(altitude=300.0, heading=0.0), c) == departed
 
 
 @pytest.mark.parametrize(

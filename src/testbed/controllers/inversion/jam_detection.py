@@ -58,6 +58,9 @@ ROUGH_S = 0.05
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
+OF_NO_USE = 0.25
+"""Estimate below which a surface that stands at its stop may be jammed near its trim. A weak tail with half of its effect is better
+used on (suite `open`, seed 777, draw 117)."""
 REDESIGN_AFTER = 0.1
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again: the step to which
 designs are rounded. Without an elevator a tenth of its unit changes the only level airspeed by a tenth."""
@@ -128,12 +131,24 @@ def time_to_jam(i, pressure_ratio, m, c, s):
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
+    if stands_at_a_stop(i, m, c, s):
+        return JAM_S
     own_force = has_force_of_its_own(i, c, s)
     if backwards or (own_force and not m.engine[i]):
         return c.persistence
     if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
         return ENGINE_S if m.engine[i] and c.probes else JAM_S
     return 0.0
+
+
+@compiled
+def stands_at_a_stop(i, m, c, s):
+    """Whether a surface with less than `OF_NO_USE` of its effect is commanded to a stop, and the aircraft has departed all the same.
+    There weak and jammed are the same force, and no other command comes to tell them apart: it is of no more use than a jammed
+    one."""
+    in_use = c.weighted and m.servo[i] and not (s.failed[i] or s.jammed[i] or s.reversed[i])
+    at_stop = s.saturated and s.at_stop[i] != 0
+    return s.departed and in_use and at_stop and s.lambda_hat[i] < OF_NO_USE
 
 
 @compiled

@@ -13,6 +13,7 @@ from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import deviation
+from testbed.controllers.outer_loops import wrap
 
 SLOW_LAG_S = 3.0
 """Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
@@ -63,6 +64,13 @@ def is_steady(y, ref):
     airspeed is worth less than `STEADY_M` of altitude. Without an engine, altitude is kept until airspeed is lost."""
     missing = (ref.airspeed * ref.airspeed - y.airspeed * y.airspeed) / (2.0 * GRAVITY_M_S2)
     return abs(ref.altitude - y.altitude) < STEADY_M and missing < STEADY_M
+
+
+@compiled
+def has_departed(y, ref, c):
+    """Whether altitude or heading is farther from its reference than the outer loops look."""
+    height, heading = abs(y.altitude - ref.altitude), abs(wrap(y.heading - ref.heading))
+    return height > c.altitude_error_max or heading > c.heading_error_max
 
 
 @compiled

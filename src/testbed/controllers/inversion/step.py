@@ -28,7 +28,7 @@ from testbed.controllers.inversion.law import (
     regressor,
     state_function,
 )
-from testbed.controllers.inversion.loss_detection import is_steady, monitor
+from testbed.controllers.inversion.loss_detection import has_departed, is_steady, monitor
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
@@ -85,6 +85,7 @@ def estimate(y, ref, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
+    s.departed = has_departed(y, ref, c)
     if c.monitors and monitor(is_steady(y, ref), m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
