@@ -143,7 +143,7 @@ def time_to_jam(i, pressure_ratio, m, c, s):
 
 @compiled
 def stands_at_a_stop(i, m, c, s):
-    """Whether a surface with less than `OF_NO_USE` of its effect is commanded to a stop, and the aircraft has departed all the same.
+    """Whether a surface with less than `OF_NO_USE` of its effect is commanded to a stop, and the flight has departed all the same.
     There weak and jammed are the same force, and no other command comes to tell them apart: it is of no more use than a jammed
     one."""
     in_use = c.weighted and m.servo[i] and not (s.failed[i] or s.jammed[i] or s.reversed[i])
