@@ -220,7 +220,10 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
     headline = headline.partition(" The best controller in each draw")[0]  # of two: no bound
-    words = f"{headline} Only these two flew them, the first {first['draws']} of which are those above. {groups[2]}"
+    rival = next(name for name in summary["scores"] if name in summary["controllers"] and name != summary["reference"])
+    alone = summary["scores"][rival]["against_reference"]["held"]["only_first"]
+    said = f"`{rival}` alone holds {alone} of {summary['draws']} draws."
+    words = f"{headline} {said} Only these two flew them, the first {first['draws']} of which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
     against = {name: of_all["scores"][name]["against_reference"] for name in others}

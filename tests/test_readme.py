@@ -84,8 +84,8 @@ SAID = {
     "benchmark": (
         r"(?s)\[(\d+ of \d+ draws)\].* Of \[(\d+)\]\S+ the default holds (\S+), "
         r"`indi` with its diagnosis (\S+): (\S+ \(\S+ to \S+\))\.",
-        r"(?s)It does not hold (\d+ of \d+ draws) .*"
-        r"## The nearest.*?Of (\d+) draws `default` holds (\S+) .*?`indi_monitor`, holds (\S+): (\S+ \(\S+ to \S+\))\.",
+        r"(?s)## The nearest(?=.*? alone holds (\d+ of \d+ draws))"
+        r".*?Of (\d+) draws `default` holds (\S+) .*?`indi_monitor`, holds (\S+): (\S+ \(\S+ to \S+\))\.",
     ),
     "smallest_failures": (
         r"`indi` breaks later\]\S+ at (\d+) of (\d+) types of failure, the default at (\d+)\.",
