@@ -220,7 +220,9 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
     headline = headline.partition(" The best controller in each draw")[0]  # of two: no bound
-    rival = next(name for name in summary["scores"] if name in summary["controllers"] and name != summary["reference"])
+    rival = next(
+        name for name in summary["scores"] if name in summary["controllers"] and name != summary["reference"]
+    )
     alone = summary["scores"][rival]["against_reference"]["held"]["only_first"]
     said = f"`{rival}` alone holds {alone} of {summary['draws']} draws."
     words = f"{headline} {said} Only these two flew them, the first {first['draws']} of which are those above. {groups[2]}"
