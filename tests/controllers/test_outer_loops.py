@@ -159,6 +159,32 @@ def test_an_aircraft_that_is_too_fast_for_a_jam_climbs_and_does_not_descend() ->
         assert w.nu[0] == pytest.approx(altitude_error)
 
 
+@pytest.mark.parametrize(
+    ("airspeed", "height", "too_fast"),
+    [
+        (18.0, 0.0, 0.0),  # as fast as its reference, at its altitude: it stays there
+        (16.0, 0.0, 0.0),  # slower, but faster than its glide: it stays there too
+        (16.0, 1.0, -0.6016),  # 1 m too high: by hand, sqrt(16^2 + 2 g) is 16.6016
+        (16.0, -1.0, 0.6251),  # 1 m too low: sqrt(16^2 - 2 g) is 15.3749
+        (14.0, 0.0, -1.0),  # slower than its glide: altitude is given up
+        (13.0, -50.0, -2.0),
+        (18.0, 50.0, 0.0),  # far too high: never faster than the reference
+    ],
+)
+def test_a_glide_stays_at_its_altitude_as_long_as_it_is_fast(
+    airspeed: float, height: float, too_fast: float
+) -> None:
+    """Without it a glide of 15 m/s that begins at 18 m/s climbs by 5 m."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:], c.airspeed_error_max = 0.0, 0.0, 0.0, 9.0
+    k.K[1, 0] = -1.0  # nu of the second row is the airspeed error that the regulator sees
+    k.glides, k.airspeed_low, k.airspeed_high = 1, 15.0, 15.0
+    y = trim_state(MODEL, airspeed=airspeed, altitude=MODEL.altitude_m + height)
+    k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+    regulate(y, setpoint(**{**LEVEL, "airspeed": 18.0}), m, c, k, s, w.f, w.nu)
+    assert w.nu[1] == pytest.approx(too_fast, abs=1e-4)
+
+
 def test_however_fast_it_is_it_climbs_as_for_the_largest_altitude_error() -> None:
     m, c, k, s, _ = records_of(SETUP)
     k.fast_climb, k.airspeed_too_fast = 0.5, MODEL.airspeed_m_s

@@ -66,7 +66,8 @@ SENTENCES = [
     f"Margin beyond {mode_trim._MARGIN_ENOUGH:g} does not count",
     f"If no level trim has a margin of {mode_trim._MARGIN_OF_LEVEL_FLIGHT:g}",
     f"a path within {mode_trim._NEARLY_LEVEL:g} rad of level",
-    f"margin counts up to {mode_trim._MARGIN_OF_A_GLIDE:g}, and a radian of slope costs {mode_trim._MARGIN_FOR_SLOPE:g}",
+    f"margin counts up to {mode_trim._MARGIN_OF_A_GLIDE:g}, and sinking at the reference airspeed would cost "
+    f"{mode_trim._MARGIN_FOR_SLOPE:g}",
     f"the margin of level flight is {mode_trim._MARGIN_TO_DESCEND:g}",
     f"has moved by {jam_detection.REDESIGN_AFTER:g} units, the regulator is designed again",
     f"one up to {mode_trim._BEYOND_STOPS - 1:.0%} beyond them".replace("%", " %"),

@@ -170,6 +170,13 @@ def traded(e_height, airspeed, y, m, c, k, s):
 
 
 @compiled
+def airspeed_at(altitude, y):
+    """Airspeed that the present energy is at another altitude [m/s]. A glide that is held to it, where that is more than its own,
+    stays at the altitude: one that slowed down at once would climb, 300 m from 110 m/s."""
+    return math.sqrt(max(y.airspeed * y.airspeed + 2.0 * GRAVITY_M_S2 * (y.altitude - altitude), 0.0))
+
+
+@compiled
 def sinking(y, m, c, k, s):
     """Rate at which the air sinks [m/s], through a lag of `sink_time`, at most a quarter of airspeed: climb rate through the air
     less that over the ground. 0 once a motor has failed: there is no thrust to climb with against it, and airspeed is what must
@@ -202,7 +209,11 @@ def regulate(y, ref, m, c, k, s, f, nu):
     nose-down acceleration is added. Fills nu [4] and `s.x_dc_dot` [4].
     """
     wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
-    e_speed = left_to_thrust(y.airspeed - max(wanted, k.airspeed_low), y.altitude - ref.altitude, y, c)
+    e_speed = y.airspeed - max(wanted, k.airspeed_low)
+    if k.glides:
+        e_speed = min(e_speed, y.airspeed - min(ref.airspeed, airspeed_at(ref.altitude, y)))
+    else:
+        e_speed = left_to_thrust(e_speed, y.altitude - ref.altitude, y, c)
     e_speed = clip(e_speed, c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, m, c, k, s)

@@ -179,6 +179,7 @@ def test_gliding_has_a_path_angle_and_does_not_hold_altitude() -> None:
     assert held == ("airspeed", "heading")
     assert_steady(degraded, flight, flight.state[PITCH] - flight.state[ALPHA])
     assert flight.state[PITCH] < flight.state[ALPHA]
+    assert airspeed_range(degraded, flight, held) == (flight.state[AIRSPEED],) * 3  # whatever the reference
 
 
 @pytest.mark.parametrize("failed", [(0, 2), (0, 3), (1, 2), (1, 3)])
@@ -190,7 +191,7 @@ def test_two_actuators_that_cannot_fly_level_descend_slowly_and_with_margin(fail
     assert held == ("airspeed", "heading")
     assert_steady(degraded, flight, path_angle)
     assert -1.8 < flight.state[AIRSPEED] * math.sin(path_angle) < -1.0
-    assert mode_trim.margins(degraded, flight.only(None))[0] > 0.7
+    assert mode_trim.margins(degraded, flight.only(None))[0] > 0.5
 
 
 def test_one_actuator_is_not_enough() -> None:

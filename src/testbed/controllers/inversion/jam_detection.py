@@ -20,6 +20,7 @@ from testbed.controllers.inversion.estimator import (
     reset_covariance,
 )
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
+from testbed.controllers.inversion.loss_detection import THRUST_SIGMA, thrust_given
 from testbed.controllers.inversion.offset_detection import (
     JAM_S,
     JAM_SIGMA,
@@ -43,10 +44,8 @@ RECENT_FLAG_S = 2.0
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
-RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 2.5
-"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero. At two
-and a half, with a standard deviation of half a unit, a stuck one, whose thrust may be anything over seven units, is four times
-likelier than a lost one."""
+RESIDUAL_THRUST = 0.3
+"""Share of the trim thrust that a flagged motor must give to be taken for jammed."""
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
@@ -239,13 +238,11 @@ def has_force_of_its_own(i, c, s):
 @compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
     """Whether a motor or engine that was flagged at a high throttle gives thrust at its trim throttle, though less than one that
-    works again: its thrust has not followed its command down. It is what the estimate says and what the model's
-    error holds along its column of B: as the command stands still, the filter cannot tell the two apart."""
+    works again: its thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    thrust = abs(s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s) + offset)
-    return thrust > RESIDUAL_THRUST * m.trim_position[i] and thrust > THRUST_SIGMA * sigma
+    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
+    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
 
 
 @compiled

@@ -11,8 +11,13 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
 from testbed.controllers.inversion.law import TIMER_ROUNDING
-from testbed.controllers.inversion.offset_detection import deviation
+from testbed.controllers.inversion.offset_detection import (
+    DECISION_THRESHOLD,
+    deviation,
+    offset_in_model_error,
+)
 from testbed.controllers.outer_loops import wrap
 
 SLOW_LAG_S = 3.0
@@ -28,6 +33,9 @@ CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
 """An actuator without which altitude cannot be held is given up only when its estimate has stayed below `CONFIRM_BELOW` [1] for
 `CONFIRM_S` [s]. That is longer than most pauses of an intermittent failure. What keeps more effectiveness than that is worth using.
 `threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
+THRUST_SIGMA = 2.5
+"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
+half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 MUCH_MORE = 3.0
 """Ratio of two motors' thrust [1] that is no noise of the estimates."""
 STEADY_M = 2.0
@@ -56,6 +64,42 @@ def is_to_blame(i, c, s):
             if changed or s.lambda_hat[j] >= c.lambda_max:
                 return False
     return True
+
+
+@compiled
+def works(i, pressure_ratio, m, c, s):
+    """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
+    `threshold` beyond doubt. What has as much is not flagged either. A motor or engine also works if its thrust is about that of
+    its position (`thrust_given`): it may be stuck there as well, and its commands will tell."""
+    if s.lambda_hat[i] > c.recovery:
+        return True
+    if not c.weighted:
+        return False
+    least = c.threshold + c.threshold_rise[i] + STANDING_SIGMA * deviation(i, s)
+    if min(s.lambda_slow[i], s.lambda_hat[i]) > least:
+        return True
+    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
+    off = abs(thrust - s.position[i])
+    return not m.servo[i] and thrust > THRUST_SIGMA * sigma and off < DECISION_THRESHOLD * s.position[i]
+
+
+@compiled
+def thrust_given(i, pressure_ratio, m, s):
+    """What a motor or engine gives [scaled], and its standard deviation: what its estimate says and what the model's error holds
+    along its column of B. While its command stands still, the filter cannot tell the two apart."""
+    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    return s.lambda_hat[i] * s.position[i] + offset, sigma
+
+
+@compiled
+def believe_thrust(i, pressure_ratio, m, c, s):
+    """Ascribe what a motor or engine gives to its effectiveness, and no longer to the model error."""
+    thrust = thrust_given(i, pressure_ratio, m, s)[0]
+    for row in range(4):
+        s.b[row] -= m.B[row, i] * (thrust - s.lambda_hat[i] * s.position[i])
+    s.lambda_hat[i] = min(max(thrust / max(s.position[i], m.trim_position[i]), c.lambda_min), 1.0)
+    s.lambda_slow[i] = s.lambda_hat[i]
+    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
 
 
 @compiled
@@ -90,7 +134,7 @@ def worth(i, m, c, s):
 
 
 @compiled
-def monitor(steady, m, c, s):
+def monitor(steady, pressure_ratio, m, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
     stays above `recovery`. Returns 1 if a flag changed.
 
@@ -108,7 +152,7 @@ def monitor(steady, m, c, s):
         s.lambda_slow[i] += c.dt / SLOW_LAG_S * (s.lambda_hat[i] - s.lambda_slow[i])
         given = worth(i, m, c, s)
         if s.failed[i]:
-            beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
+            beyond, time = works(i, pressure_ratio, m, c, s), c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
             low = given < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
@@ -118,6 +162,8 @@ def monitor(steady, m, c, s):
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
+            if s.failed[i] and c.weighted and not m.servo[i]:
+                believe_thrust(i, pressure_ratio, m, c, s)
             s.early[i] = 1 if c.weighted and not s.failed[i] and not s.early[i] else 0
             s.failed[i] = 0 if s.failed[i] else 1
             s.flag_timer[i], s.since_flag[i] = 0.0, 0.0

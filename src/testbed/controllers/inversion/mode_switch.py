@@ -13,7 +13,7 @@ from testbed.controllers.inversion.loss_detection import CONFIRM_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
-from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, mode_dtype
+from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, Q_DOT, U_DOT, mode_dtype
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
@@ -201,6 +201,7 @@ class ModeSwitch:
         k.regulated, k.airspeed_offset = regulator is not None, 0.0
         k.x_trim[:], k.r_trim[:], k.trim_effect[:] = 0.0, 0.0, 0.0  # of the trim in which the flight began
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
+        k.glides = 0
         if regulator is not None:
             for name in ("x_trim", "r_trim", "trim_effect", "K", "K_actuator", "K_integral"):
                 k[name] = getattr(regulator, name)
@@ -211,6 +212,7 @@ class ModeSwitch:
         k, s, setup = self.record[0], self._memory[0], self._setup
         loops, jammed = setup.control.loops, bool(s.jammed.any())
         forces = s.jammed * s.lambda_hat * setup.scale
+        k.glides = "altitude" not in regulator.held and k.released[U_DOT] and not k.released[Q_DOT]
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast = regulator.airspeeds
         beyond = float(regulator.x_trim[AIRSPEED]) - setup.model.airspeed_m_s
         if not jammed:

@@ -57,7 +57,8 @@ _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its 
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
-"""Extra scaled margin that makes up for an airspeed twice the wanted one, and for a path angle of 1 rad."""
+"""Extra scaled margin that makes up for an airspeed twice the wanted one, and for a path angle of 1 rad, or in a glide for sinking
+at the reference airspeed."""
 
 _EVERYTHING = ("airspeed", "altitude", "heading")
 
@@ -117,16 +118,16 @@ class AirspeedRange(NamedTuple):
 def airspeed_range(degraded: DegradedAircraft, flight: SteadyFlight, held: tuple[str, ...]) -> AirspeedRange:
     """Airspeeds at which the mode with this trim may be flown.
 
-    After a loss, any. Where airspeed or altitude cannot be held, that of the trim. After a jam, those at which level flight has
-    the margin of the trim, or enough of it.
+    After a loss, any. Where airspeed or altitude cannot be held, that of the trim, except for a glider, which follows its
+    reference. After a jam, those at which level flight has the margin of the trim, or enough of it.
     """
     airspeed = float(flight.state[AIRSPEED])
     if "airspeed" not in held:
         return AirspeedRange(airspeed, airspeed, airspeed if _has_motor(degraded) else math.inf)
+    if "altitude" not in held and not degraded.servos.all():
+        return AirspeedRange(airspeed, airspeed, airspeed)
     if not degraded.jammed:
         return AirspeedRange(0.0, math.inf, math.inf)
-    if "altitude" not in held:
-        return AirspeedRange(airspeed, airspeed, airspeed)
     flights = _level_anywhere(degraded)
     margin, airspeeds = margins(degraded, flights), flights.state[:, AIRSPEED]
     needed = min(_MARGIN_ENOUGH, float(margins(degraded, flight.only(np.newaxis))[0])) - 1e-6
@@ -153,7 +154,7 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
             yield level(degraded, around), ("altitude", "heading"), _nearest(reference), 1.0
             yield _at_any_airspeed(degraded), ("airspeed", "heading"), _slowest_descent(degraded), 1.0
         elif not degraded.servos.all():
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _shallowest(degraded), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _slowest_descent(degraded), 1.0
         yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
     wanted = _wanted(degraded, loops)
@@ -164,14 +165,13 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     yield _wings_level(degraded, anywhere), _EVERYTHING, _nearest(wanted), 1.0
     yield _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
     yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
-    yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
     yield (
         _wings_level(degraded, _anywhere(degraded)),
         ("airspeed", "heading"),
         _roomiest(degraded, wanted),
         1.0,
     )
-    yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _slowest_descent(degraded), 1.0
 
 
 def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
@@ -193,7 +193,7 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
             yield level_flights, held, preference, 1.0
     yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
-    yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _slowest_descent(degraded), 1.0
 
 
 def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
@@ -202,7 +202,7 @@ def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     flights = _at_any_airspeed(degraded)
     nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
     yield nearly_level, ("altitude", "heading"), _fastest, 1.0
-    yield flights, ("airspeed", "heading"), _shallowest(degraded), 1.0
+    yield flights, ("airspeed", "heading"), _slowest_descent(degraded), 1.0
 
 
 def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
@@ -255,19 +255,14 @@ def _roomiest(degraded: DegradedAircraft, wanted: float) -> Preference:
     return _by_margin(degraded, _MARGIN_ENOUGH, worth)
 
 
-def _shallowest(degraded: DegradedAircraft) -> Preference:
-    """Most margin, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
-    return _by_margin(degraded, _MARGIN_OF_A_GLIDE, lambda flights: _MARGIN_FOR_SLOPE * path_angles(flights))
-
-
 def _slowest_descent(degraded: DegradedAircraft) -> Preference:
-    """Most margin, but not for a fast descent, at any airspeed."""
+    """Most margin, but not for a fast descent, at any airspeed: altitude is worth more."""
 
     def worth(flights: SteadyFlight) -> np.ndarray:
         climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / degraded.model.airspeed_m_s
         return _MARGIN_FOR_SLOPE * climb
 
-    return _by_margin(degraded, _MARGIN_ENOUGH, worth)
+    return _by_margin(degraded, _MARGIN_OF_A_GLIDE, worth)
 
 
 def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:

@@ -86,7 +86,7 @@ def estimate(y, ref, m, c, s, w):
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     s.departed = has_departed(y, ref, c)
-    if c.monitors and monitor(is_steady(y, ref), m, c, s):  # section 2.3
+    if c.monitors and monitor(is_steady(y, ref), pressure_ratio, m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
