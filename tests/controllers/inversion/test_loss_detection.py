@@ -151,11 +151,16 @@ def test_what_is_above_the_threshold_beyond_doubt_is_used_again(
     assert s.failed[0] == (not recovered)
 
 
-@pytest.mark.parametrize(("share", "recovered"), [(0.0, False), (0.4, False), (0.9, True), (1.6, False)])
-def test_thrust_that_is_that_of_the_position_is_believed(share: float, recovered: bool) -> None:
-    """It is in the model error: while the command stands still, the filter cannot tell the two apart."""
+@pytest.mark.parametrize(
+    ("share", "turns", "recovered"),
+    [(0.0, 0, False), (0.4, 0, False), (0.9, 0, True), (1.6, 0, False), (0.9, 1, False)],
+)
+def test_thrust_that_is_that_of_the_position_is_believed(share: float, turns: int, recovered: bool) -> None:
+    """It is in the model error: while the command stands still, the filter cannot tell the two apart. Of an engine that turns the
+    aircraft, it can."""
     m, c, _, s, _ = records_of(vtail_setup(WEATHER))
     i = int(np.flatnonzero(m.servo == 0)[0])
+    c.turns[i] = turns
     s.position[i], s.failed[i], s.lambda_hat[i], s.lambda_slow[i] = m.trim_position[i], 1, 0.0, 0.0
     s.model_error_variance[:] = c.model_error_std**2
     s.b[:] = m.B[:, i] * share * m.trim_position[i]

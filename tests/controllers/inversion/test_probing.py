@@ -11,7 +11,14 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
 from testbed.controllers.inversion.estimator import REVERSAL_S
-from testbed.controllers.inversion.probing import AT_LEAST_RAD, LARGEST, OFFSET_MIN, probe, probe_rate
+from testbed.controllers.inversion.probing import (
+    AT_LEAST_RAD,
+    LARGEST,
+    OFFSET_MIN,
+    OPPOSITE_WITHIN,
+    probe,
+    probe_rate,
+)
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -64,6 +71,23 @@ def test_a_held_surface_that_moves_against_its_probe_is_reversed() -> None:
     made = given_up(1, True)
     assert seconds_until_used(made, 1, -1.0) < 4.0
     assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
+
+
+@pytest.mark.parametrize(("gain", "beside"), [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)])
+def test_a_hardover_is_neither_working_nor_reversed_whatever_its_gain(gain: float, beside: float) -> None:
+    """The motions of the aircraft with it have a gain, and one at its stop cannot move."""
+    made = given_up(1, True)
+    made.s.lambda_hat[1] = made.m.high[1] if beside > 0.0 else made.m.low[1]
+    assert seconds_until_used(made, 1, gain) == math.inf
+    assert made.s.jammed[1] and not made.s.reversed[1]
+
+
+def test_what_stands_far_from_the_opposite_of_its_command_is_not_reversed() -> None:
+    for beside, reversed_ in ((0.9 * OPPOSITE_WITHIN, 1), (1.1 * OPPOSITE_WITHIN, 0)):
+        made = given_up(1, True)
+        made.m.high[1] = 5.0
+        made.s.lambda_hat[1] = beside - made.m.trim_position[1]
+        assert (seconds_until_used(made, 1, -1.0) < 4.0) == (made.s.reversed[1] == 1) == reversed_
 
 
 def test_a_held_surface_that_follows_beside_its_command_has_an_offset() -> None:

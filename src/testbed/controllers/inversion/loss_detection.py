@@ -69,8 +69,8 @@ def is_to_blame(i, c, s):
 @compiled
 def works(i, pressure_ratio, m, c, s):
     """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` beyond doubt. What has as much is not flagged either. A motor or engine also works if its thrust is about that of
-    its position (`thrust_given`): it may be stuck there as well, and its commands will tell."""
+    `threshold` beyond doubt. What has as much is not flagged either. An engine that does not turn the aircraft also works if its
+    thrust is about that of its position (`thrust_given`): it may be stuck there as well, and its commands will tell."""
     if s.lambda_hat[i] > c.recovery:
         return True
     if not c.weighted:
@@ -78,9 +78,11 @@ def works(i, pressure_ratio, m, c, s):
     least = c.threshold + c.threshold_rise[i] + STANDING_SIGMA * deviation(i, s)
     if min(s.lambda_slow[i], s.lambda_hat[i]) > least:
         return True
+    if m.servo[i] or c.turns[i]:
+        return False
     thrust, sigma = thrust_given(i, pressure_ratio, m, s)
     off = abs(thrust - s.position[i])
-    return not m.servo[i] and thrust > THRUST_SIGMA * sigma and off < DECISION_THRESHOLD * s.position[i]
+    return thrust > THRUST_SIGMA * sigma and off < DECISION_THRESHOLD * s.position[i]
 
 
 @compiled

@@ -37,6 +37,9 @@ LARGEST_CHANGE = 10.0
 is a larger one."""
 OFFSET_MIN = 0.3
 """Offset [scaled] below which an actuator that works again has none: what gusts leave of its estimated position."""
+OPPOSITE_WITHIN = 2.0
+"""How far from the opposite of its command the force of a reversed surface may seem [scaled]: far from the trim the model is wrong
+by as much. The motions of an aircraft with a hardover have a gain, too."""
 WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
 """Half-way between the hypotheses [1]."""
 
@@ -53,16 +56,29 @@ def probe(e, pressure_ratio, m, c, s):
                 s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
-        if probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD or s.probe_square[i] <= 0.0:
+        too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
+        if too_early or s.probe_square[i] <= 0.0 or not has_room(i, m, s):
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
         if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
             use_again(i, gain, pressure_ratio, m, s)
             changed = 1
-        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and s.jammed[i] and m.servo[i]:
+        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and is_opposite(i, m, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed
+
+
+@compiled
+def has_room(i, m, s):
+    """Whether an actuator is where its probe can move it: one that stands at its stop cannot show a gain."""
+    return not s.jammed[i] or m.low[i] + LARGEST < s.lambda_hat[i] < m.high[i] - LARGEST
+
+
+@compiled
+def is_opposite(i, m, s):
+    """Whether the force of a surface that was taken for jammed is that of the opposite of its command."""
+    return s.jammed[i] and m.servo[i] and abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
 
 
 @compiled
