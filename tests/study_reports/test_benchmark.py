@@ -48,6 +48,12 @@ def test_the_first_section_is_where_the_reference_loses(summary: dict) -> None:
     assert "| 3 | x | x, x | x | 0.25 | 1 of 1 |" in lines
 
 
+def test_where_all_are_told_the_truth_none_holds_more(summary: dict) -> None:
+    storm = {"draws": 40, "held": {"default": 10, "fixed": 30, "best of all": 31}}
+    told = summary | {"told": ["default", "fixed"], "by": summary["by"] | {"weather": {"storm": storm}}}
+    assert not any("| storm | 40 | 0.250 |" in line for line in markdown(told))
+
+
 def test_every_controller_has_its_line_in_the_order_flown(summary: dict) -> None:
     lines = markdown(summary)
     total = lines[lines.index("## All") :]

@@ -164,7 +164,7 @@ def _behind(summary: Summary) -> Iterator[list[str]]:
     for factor in _TITLES:
         for group, counted in _large(summary, factor).items():
             held, n = counted["held"], counted["draws"]
-            best = max(compared(summary), key=lambda name: held[name])
+            best = max(compared(summary), key=lambda name: held[name], default=first)
             if held[best] > held[first]:
                 yield [group, str(n), f"{held[first] / n:.3f}", f"{held[best] / n:.3f}", f"`{best}`"]
 
