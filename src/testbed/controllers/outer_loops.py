@@ -205,8 +205,9 @@ def regulate(y, ref, m, c, k, s, f, nu):
 
         nu = -K (x - x_trim) - K_actuator (a lambda_hat + shift - r_trim) - K_integral integral
 
-    where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references. Beyond the stall angle a
-    nose-down acceleration is added. Fills nu [4] and `s.x_dc_dot` [4].
+    where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references. In a glide that is
+    faster than it need be, airspeed is held at `airspeed_at` the reference altitude. Beyond the stall angle a nose-down
+    acceleration is added. Fills nu [4] and `s.x_dc_dot` [4].
     """
     wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
     e_speed = y.airspeed - max(wanted, k.airspeed_low)

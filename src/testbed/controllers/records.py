@@ -166,7 +166,7 @@ MODE = (
     Field("thrust_hessian", (_N, _N), "1 per scaled^2", "`hessian` without what those actuators turn"),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
-    Field("glides", (), "flag", "there is no thrust: pitch holds airspeed, and altitude is not held"),
+    Field("glides", (), "flag", "thrust cannot be commanded: pitch holds airspeed, and altitude only while there is energy"),
     Field("fast_climb", (), "s", "altitude to gain per m/s above `airspeed_too_fast`, 0 for none"),
     Field("airspeed_offset", (), "m/s", "how much faster than its reference the mode is flown"),
     Field("airspeed_low", (), "m/s", "lowest airspeed that the mode is flown at"),

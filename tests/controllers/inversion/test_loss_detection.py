@@ -153,7 +153,7 @@ def test_what_is_above_the_threshold_beyond_doubt_is_used_again(
 
 @pytest.mark.parametrize(
     ("share", "turns", "recovered"),
-    [(0.0, 0, False), (0.4, 0, False), (0.9, 0, True), (1.6, 0, False), (0.9, 1, False)],
+    [(0.0, 0, False), (0.4, 0, False), (0.9, 0, True), (1.2, 0, True), (1.6, 0, False), (0.9, 1, False)],
 )
 def test_thrust_that_is_that_of_the_position_is_believed(share: float, turns: int, recovered: bool) -> None:
     """It is in the model error: while the command stands still, the filter cannot tell the two apart. Of an engine that turns the
@@ -166,7 +166,22 @@ def test_thrust_that_is_that_of_the_position_is_believed(share: float, turns: in
     s.b[:] = m.B[:, i] * share * m.trim_position[i]
     assert any(monitor(False, 1.0, m, c, s) for _ in range(300)) == recovered
     if recovered:
-        assert s.lambda_hat[i] == pytest.approx(share) and np.abs(s.b).max() < 1e-9
+        assert s.lambda_hat[i] == pytest.approx(min(share, 1.0)), "an engine gives no more than all"
+        assert s.b == pytest.approx(m.B[:, i] * (share - s.lambda_hat[i]) * m.trim_position[i]), (
+            "no force is lost"
+        )
+
+
+def test_a_good_estimate_is_not_lowered_by_the_model_error() -> None:
+    """An engine whose estimate has recovered keeps it, and one that turns the aircraft keeps the model error too."""
+    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    i = int(np.flatnonzero(m.servo == 0)[0])
+    s.model_error_variance[:] = c.model_error_std**2
+    for turns in (0, 1):
+        c.turns[i], s.failed[i], s.position[i], s.lambda_hat[i] = turns, 1, m.trim_position[i], 0.95
+        s.b[:] = -0.5 * m.B[:, i]
+        assert any(monitor(False, 1.0, m, c, s) for _ in range(300))
+        assert s.lambda_hat[i] == 0.95 and s.b == pytest.approx(-0.5 * m.B[:, i])
 
 
 def test_a_jammed_actuator_is_not_monitored() -> None:

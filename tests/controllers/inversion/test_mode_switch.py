@@ -81,9 +81,10 @@ def test_a_descent_is_said_with_its_angle() -> None:
     modes, s = switch_of()
     s.failed[2:] = 1
     modes.switch(7)
-    ((step, text),) = modes.reasons
+    (step, text), (_, airspeed) = modes.reasons
     assert step == 7 and text.startswith("left_propeller, right_propeller failed: altitude cannot be held.")
     assert text.endswith("deg") and "path angle of about -" in text
+    assert f"flies at {modes.record[0].x_trim[0]:.1f} m/s" in airspeed and "or sinks slowest" in airspeed
 
 
 def test_level_flight_is_not_given_up_for_a_flag_that_came_early() -> None:

@@ -69,13 +69,13 @@ def is_to_blame(i, c, s):
 @compiled
 def works(i, pressure_ratio, m, c, s):
     """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` beyond doubt. What has as much is not flagged either. An engine that does not turn the aircraft also works if its
-    thrust is about that of its position (`thrust_given`): it may be stuck there as well, and its commands will tell."""
+    `threshold` and `CONFIRM_BELOW` beyond doubt. An engine that does not turn the aircraft also works if its thrust is about that
+    of its position (`thrust_given`): if it is stuck there, the commands that follow show it."""
     if s.lambda_hat[i] > c.recovery:
         return True
     if not c.weighted:
         return False
-    least = c.threshold + c.threshold_rise[i] + STANDING_SIGMA * deviation(i, s)
+    least = max(c.threshold + c.threshold_rise[i], CONFIRM_BELOW) + STANDING_SIGMA * deviation(i, s)
     if min(s.lambda_slow[i], s.lambda_hat[i]) > least:
         return True
     if m.servo[i] or c.turns[i]:
@@ -95,11 +95,15 @@ def thrust_given(i, pressure_ratio, m, s):
 
 @compiled
 def believe_thrust(i, pressure_ratio, m, c, s):
-    """Ascribe what a motor or engine gives to its effectiveness, and no longer to the model error."""
-    thrust = thrust_given(i, pressure_ratio, m, s)[0]
+    """Ascribe what an engine gives beyond its estimate, up to all of its position, to its effectiveness, and no longer to the model
+    error."""
+    if s.position[i] <= 0.0:
+        return
+    believed = min(thrust_given(i, pressure_ratio, m, s)[0] / s.position[i], 1.0)
+    more = max(believed - s.lambda_hat[i], 0.0)
     for row in range(4):
-        s.b[row] -= m.B[row, i] * (thrust - s.lambda_hat[i] * s.position[i])
-    s.lambda_hat[i] = min(max(thrust / max(s.position[i], m.trim_position[i]), c.lambda_min), 1.0)
+        s.b[row] -= m.B[row, i] * more * s.position[i]
+    s.lambda_hat[i] += more
     s.lambda_slow[i] = s.lambda_hat[i]
     reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
 
@@ -137,8 +141,8 @@ def worth(i, m, c, s):
 
 @compiled
 def monitor(steady, pressure_ratio, m, c, s):
-    """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
-    stays above `recovery`. Returns 1 if a flag changed.
+    """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when it
+    `works` for the `recovery_time`. Returns 1 if a flag changed.
 
     What is compared with `threshold` is what the actuator is `worth`. An actuator is flagged only if its estimate's standard
     deviation is at most `flag_std_max`. The estimate of an actuator that hardly moves is uncertain, so a low value is no evidence
@@ -164,7 +168,7 @@ def monitor(steady, pressure_ratio, m, c, s):
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
-            if s.failed[i] and c.weighted and not m.servo[i]:
+            if s.failed[i] and c.weighted and not (m.servo[i] or c.turns[i]):
                 believe_thrust(i, pressure_ratio, m, c, s)
             s.early[i] = 1 if c.weighted and not s.failed[i] and not s.early[i] else 0
             s.failed[i] = 0 if s.failed[i] else 1

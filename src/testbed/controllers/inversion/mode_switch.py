@@ -145,7 +145,7 @@ class ModeSwitch:
             return ""
         if not low <= v + faster <= high:
             at = f"{low:.1f} m/s" if high - low < 0.1 else f"{low:.1f} to {high:.1f} m/s"
-            return f"flies at {at}, where a steady flight is farthest from the stops"
+            return f"flies at {at}, where a steady flight is farthest from the stops, or sinks slowest"
         height = ((v + faster) ** 2 - v * v) / (2.0 * GRAVITY_M_S2)
         return f"flies {faster:.1f} m/s faster than commanded, to have {height:.0f} m of altitude stored as airspeed"
 
@@ -216,7 +216,7 @@ class ModeSwitch:
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast = regulator.airspeeds
         beyond = float(regulator.x_trim[AIRSPEED]) - setup.model.airspeed_m_s
         if not jammed:
-            k.airspeed_offset = beyond
+            k.airspeed_offset = 0.0 if k.glides else beyond
         elif lost_thrust(setup.model, failed, forces):
             k.airspeed_offset = loops.lost_thrust_faster_m_s
         k.fast_climb = loops.fast_climb_s if jammed and beyond < 0.0 else 0.0

@@ -55,7 +55,7 @@ _NEARLY_LEVEL = 0.03
 drag over its weight. Altitude is held then, and given up only while the aircraft is too slow."""
 _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its stop is within it
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
-_MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
+_MARGIN_OF_A_GLIDE = 0.5  # the same in a descent: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Extra scaled margin that makes up for an airspeed twice the wanted one, and for a path angle of 1 rad, or in a glide for sinking
 at the reference airspeed."""
@@ -118,16 +118,17 @@ class AirspeedRange(NamedTuple):
 def airspeed_range(degraded: DegradedAircraft, flight: SteadyFlight, held: tuple[str, ...]) -> AirspeedRange:
     """Airspeeds at which the mode with this trim may be flown.
 
-    After a loss, any. Where airspeed or altitude cannot be held, that of the trim, except for a glider, which follows its
-    reference. After a jam, those at which level flight has the margin of the trim, or enough of it.
+    After a loss, any, but in a glide for want of thrust that of the trim, as where airspeed cannot be held. After a jam, those at
+    which level flight has the margin of the trim, or enough of it; that of the trim where altitude cannot be held.
     """
     airspeed = float(flight.state[AIRSPEED])
     if "airspeed" not in held:
         return AirspeedRange(airspeed, airspeed, airspeed if _has_motor(degraded) else math.inf)
-    if "altitude" not in held and not degraded.servos.all():
-        return AirspeedRange(airspeed, airspeed, airspeed)
-    if not degraded.jammed:
+    glides = "altitude" not in held and not _has_motor(degraded) and not degraded.servos.all()
+    if not degraded.jammed and not glides:
         return AirspeedRange(0.0, math.inf, math.inf)
+    if "altitude" not in held:
+        return AirspeedRange(airspeed, airspeed, airspeed)
     flights = _level_anywhere(degraded)
     margin, airspeeds = margins(degraded, flights), flights.state[:, AIRSPEED]
     needed = min(_MARGIN_ENOUGH, float(margins(degraded, flight.only(np.newaxis))[0])) - 1e-6
@@ -165,6 +166,7 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     yield _wings_level(degraded, anywhere), _EVERYTHING, _nearest(wanted), 1.0
     yield _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
     yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
+    yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
     yield (
         _wings_level(degraded, _anywhere(degraded)),
         ("airspeed", "heading"),

@@ -71,8 +71,10 @@ def probe(e, pressure_ratio, m, c, s):
 
 @compiled
 def has_room(i, m, s):
-    """Whether an actuator is where its probe can move it: one that stands at its stop cannot show a gain."""
-    return not s.jammed[i] or m.low[i] + LARGEST < s.lambda_hat[i] < m.high[i] - LARGEST
+    """Whether an actuator is where its probe can move it: one that is held at its stop cannot show a gain, unless it is trimmed
+    there."""
+    low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
+    return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
 
 
 @compiled
