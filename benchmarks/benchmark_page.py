@@ -107,7 +107,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             )
     first, *others = options.folders
     summaries = [summary_of(first, options.beside)]
-    summaries += [summary_of(other) | {"weather": to_50_ft_s(other)} for other in others]
+    summaries += [summary_of(other) | {"weather": by_roughness(other)} for other in others]
     law = summaries[0]["law_sha256"]
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     acts = [*map(summary_of, options.acts)]
@@ -142,19 +142,22 @@ def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
     return scores.summarize(plan, frame[flown]) | {"law_sha256": law}
 
 
-def to_50_ft_s(folder: Path) -> str:
-    """What a folder's flights in weather to `ROUGHEST_M_S` say, in a sentence."""
+def by_roughness(folder: Path) -> str:
+    """What a folder's flights in weather to `ROUGHEST_M_S`, and beyond, say, in two sentences."""
     with store.reading(folder) as stored:
         w20 = {record.run: (record.values.get("atmosphere") or {}).get("turbulence_w20_m_s", 0.0)
                for _, record in stored.records()}  # fmt: skip
     flights = benchmark.table(folder)
-    flights = flights[flights["draw"].map(w20) <= ROUGHEST_M_S]
-    said = [
-        f"`{name}` {each['held'].sum()} held, {each['false_alarms'].sum():.0f} false alarms in "
-        f"{each['end_time_s'].sum() / 3600.0:.1f} h"
-        for name, each in flights.groupby("controller")
-    ]
-    return f"To 50 ft/s (W20), {flights['draw'].nunique()} draws: {'; '.join(said)}."
+    rough = flights["draw"].map(w20) > ROUGHEST_M_S
+    said = []
+    for words, these in (("To 50 ft/s (W20)", flights[~rough]), ("Beyond", flights[rough])):
+        each = [
+            f"`{name}` holds {flown['held'].sum()}, false alarms in {flown['end_time_s'].sum() / 3600.0:.1f} h: "
+            f"{flown['false_alarms'].sum():.0f}"
+            for name, flown in these.groupby("controller")
+        ]
+        said.append(f"{words}, {these['draw'].nunique()} draws: {'; '.join(each)}.")
+    return " ".join(said)
 
 
 def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] = ()) -> list[str]:

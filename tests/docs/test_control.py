@@ -21,7 +21,7 @@ from testbed.controllers.inversion import (
 
 PAGE = " ".join((ROOT / "docs" / "explanation" / "control.md").read_text(encoding="utf-8").split())
 SET = AdaptiveInversionSettings.model_validate({"type": "adaptive_inversion"})
-NUMBER = {3: "three"}
+NUMBER = {2: "two", 3: "three"}
 SENTENCES = [
     f"kept if its authority is at least {released_axes.MARGIN['q_dot']:g} times its disturbance, airspeed if it is at least once",
     f"two first-order lags of {SET.filter_rad_s:g} rad/s",
@@ -31,7 +31,9 @@ SENTENCES = [
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
     f"its estimate has fallen by more than {loss_detection.SUDDEN_LOSS:g} within a few seconds",
-    f"once the estimate has been above {SET.recovery:g} (`recovery`) for {SET.recovery_s:g} s",
+    f"once, for {SET.recovery_s:g} s, its estimate is above {SET.recovery:g} (`recovery`), or "
+    f"{NUMBER[loss_detection.STANDING_SIGMA]} standard deviations above {loss_detection.CONFIRM_BELOW:g} and the threshold",
+    f"gives {1 - offset_detection.DECISION_THRESHOLD:g} to {1 + offset_detection.DECISION_THRESHOLD:g} of its position's thrust",
     f"`lambda_min` is {SET.lambda_min:g} here",
     f"until its estimate has stayed below {loss_detection.CONFIRM_BELOW:g} for {loss_detection.CONFIRM_S:g} s "
     "and the flight is no longer steady",
@@ -51,6 +53,9 @@ SENTENCES = [
     "and the way is longer than one scaled unit",
     f"a sine of {probing.RAD_S:g} rad/s for the first actuator and {probing.RAD_S_MORE:g} rad/s more for each next",
     f"at most {probing.LARGEST:g} scaled units",
+    f"held within {probing.LARGEST:g} units of a stop is not judged",
+    f"within {NUMBER[probing.OPPOSITE_WITHIN]} units of minus its trim",
+    f"(engines {probing.ENGINE_SLOWER:g} times that)",
     f"when the gain is above {probing.WORKS_ABOVE:g} and 0 is {NUMBER[probing.SIGMAS]} standard deviations away",
     f"the same to the last digit for {sensor_guard.REPEATS_S:g} s",
     f"drawn to its reference within {sensor_guard.RECALL_S:g} s",

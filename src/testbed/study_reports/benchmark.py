@@ -166,7 +166,8 @@ def _behind(summary: Summary) -> Iterator[list[str]]:
             held, n = counted["held"], counted["draws"]
             best = max(compared(summary), key=lambda name: held[name], default=first)
             if held[best] > held[first]:
-                yield [group, str(n), f"{held[first] / n:.3f}", f"{held[best] / n:.3f}", f"`{best}`"]
+                shown = f"gust: {group}" if factor == "gust" else group  # `none` is a kind of failure, too
+                yield [shown, str(n), f"{held[first] / n:.3f}", f"{held[best] / n:.3f}", f"`{best}`"]
 
 
 def _large(summary: Summary, factor: str) -> dict[str, Summary]:
