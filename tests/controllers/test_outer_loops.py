@@ -302,6 +302,19 @@ def test_an_error_beyond_the_climb_limit_does_not_wind_up_pitch() -> None:
         assert s.pitch_integral == pytest.approx(c.altitude_ki * integrated * c.dt)
 
 
+@pytest.mark.parametrize(
+    ("settings", "missing", "waits"), [(WEATHER, 1.0, True), (WEATHER, -1.0, False), (PAPER, 1.0, False)]
+)
+def test_the_integral_of_altitude_waits_while_the_elevator_is_at_its_stop(
+    settings: AdaptiveInversionSettings, missing: float, waits: bool
+) -> None:
+    """Too low, it asks for more pitch than there is; too much pitch may be taken back, and the preset winds up."""
+    m, c, k, s, w = records_of(vtail_setup(settings, released=()))
+    s.short[Q_DOT], before = missing, float(s.pitch_integral)
+    pid_loops(trim_state(MODEL, altitude=MODEL.altitude_m - 1.0), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    assert (s.pitch_integral == before) == waits
+
+
 def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
     k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0

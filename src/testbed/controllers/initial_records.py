@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -90,7 +89,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.dt, c.divisor_min = setup.dt_s, _DIVISOR_MIN
     _fill_loops(c, setup)
     c.noise[:] = [getattr(control.disturbance, rate) for rate in RATES]
-    c.turns[:] = _turns(np.array(setup.model.input_matrix)[:4], c.noise, setup.model.kinds)
+    c.turns[:] = setup.turns
     c.model_error_std[:] = [getattr(control.model_error_std, rate) for rate in RATES]
     c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
     paper = estimation is not None and estimation.preset == "paper"
@@ -98,12 +97,6 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
     return record
-
-
-def _turns(b: np.ndarray, noise: np.ndarray, kinds: Sequence[str]) -> np.ndarray:
-    """[n] the servos, and what gives thrust that shows more in the rates of rotation than in u_dot, each over its noise."""
-    shown = (b / noise[:, None]) ** 2
-    return (np.array(kinds) == "servo") | (shown[:3].sum(axis=0) > shown[3])
 
 
 def _fill_loops(c: np.record, setup: Setup) -> None:

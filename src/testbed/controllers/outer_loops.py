@@ -77,9 +77,9 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
     Not of the paper, and not in its preset, which has no `give_up_time`: altitude is given up for airspeed (`traded`), or a weak
-    engine ends in a stall; airspeed is left to altitude where that has its energy (`left_to_thrust`); and an aircraft that is so
-    slow that it gives up altitude asks for more than `u_dot_max`, which is as little as 0.15 m/s2 where thrust is scarce. Fills
-    nu [4] and `s.x_dc_dot` [4].
+    engine ends in a stall; airspeed is left to altitude where that has its energy (`left_to_thrust`); an aircraft that is so
+    slow that it gives up altitude asks for more than `u_dot_max`, which is as little as 0.15 m/s2 where thrust is scarce; and the
+    integral of altitude does not wind up. Fills nu [4] and `s.x_dc_dot` [4].
     """
     dt, v = c.dt, max(y.airspeed, 1.0)
     fast, high, too_slow = y.airspeed - ref.airspeed, y.altitude - ref.altitude, 0.0
@@ -97,8 +97,10 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
     s.x_dc_dot[U_DOT] = u_dot + c.airspeed_kp * too_slow
 
     # altitude through q_dot: climb rate, then pitch, then pitch rate
-    # Beyond the climb limit the error says how far it is, not what pitch is missing.
-    s.pitch_integral += c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
+    # Beyond the climb limit the error says how far it is, not what pitch is missing. Nor does it where the elevator is at its stop.
+    change = c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
+    if c.give_up_time == 0.0 or change * s.short[Q_DOT] <= 0.0:
+        s.pitch_integral += change
     climb = clip(c.altitude_kp * e_height, c.climb_max) + ref.altitude_rate
     pitch = s.pitch_integral + (climb + c.climb_kp * (climb - y.climb_rate)) / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)

@@ -154,6 +154,13 @@ class Setup:
         """[n] first-order lags of servos and rotors [rad/s]."""
         return np.array([a.lag_rad_s for a in self.actuators])
 
+    @property
+    def turns(self) -> np.ndarray:
+        """[n] the servos, and what gives thrust that shows more in the rates of rotation than in u_dot, each over its noise."""
+        noise = np.array([getattr(self.control.disturbance, rate) for rate in RATES])
+        shown = (np.array(self.model.input_matrix)[:4] * self.scale / noise[:, None]) ** 2
+        return (np.array(self.model.kinds) == "servo") | (shown[:3].sum(axis=0) > shown[3])
+
     def settings_as(self, kind: type[S]) -> S:
         """The scenario's settings if they are of this kind.
 

@@ -62,6 +62,20 @@ def test_airspeed_gives_way_and_attitude_does_not() -> None:
     assert np.abs(given - nu)[:3].max() < 0.05 * (nu - given)[U_DOT]
 
 
+def test_only_what_the_strongest_surface_would_have_to_go_beyond_its_stop_for_is_missing() -> None:
+    """Three demands: a pitch that no surface can give, the same the other way, and an airspeed that no propeller can give. The
+    last costs attitude a little, which is no pitch that is missing."""
+    for q_dot, u_dot in ((-60.0, 0.0), (60.0, 0.0), (-1.0, 12.0)):
+        records = records_of(REDUNDANT)
+        nu = np.array([0.0, q_dot, 0.0, u_dot])
+        given = allocate(records, nu)
+        assert records.s.saturated and abs(nu - given)[Q_DOT] > 1e-4
+        missing = (nu - given)[Q_DOT] if u_dot == 0.0 else 0.0
+        assert records.s.short[Q_DOT] == pytest.approx(missing)
+    allocate(records, np.array([0.0, -1.0, 0.0, 0.0]))
+    assert not records.s.short.any()
+
+
 def test_a_demand_on_airspeed_costs_attitude_almost_nothing() -> None:
     """The same attitude demands, with and without an airspeed demand that no actuator can meet."""
     rng = np.random.default_rng(1)

@@ -126,12 +126,12 @@ def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_f
     assert altitude < 4.0 and heading < 14.0
 
 
-def flown_by_aerosonde(failure: str, duration_s: float) -> Flight:
+def flown_by_aerosonde(failure: str, duration_s: float, actuator: str = "propeller") -> Flight:
     changes = [
         "aircraft=aerosonde",
         "initial={altitude_m: 200, airspeed_m_s: 25, heading_deg: 0}",
         "commands=[]",
-        f"failures=[{{actuator: propeller, at_s: 5, {failure}}}]",
+        f"failures=[{{actuator: {actuator}, at_s: 5, {failure}}}]",
         "requirements=[]",
         f"duration_s={duration_s}",
     ]
@@ -152,6 +152,12 @@ def test_altitude_comes_back_where_a_stuck_throttle_is_enough_only_when_slow() -
     altitude, _, _ = worst_errors(flight, 5.0)
     assert flight.outcome is Outcome.completed
     assert altitude < 12.5 and worst_errors(flight, 55.0)[0] < 1.0 and flight.log.airspeed_m_s.iloc[-1] < 21.0
+
+
+def test_a_propeller_that_balances_no_moment_slows_the_aircraft_down() -> None:
+    """A rudder jammed at -20 deg needs 19 to 20 m/s. At 21 m/s the regulator kept climbing, 130 m in 100 s."""
+    flight = flown_by_aerosonde("type: stuck_at, value: -20", 60.0, "rudder")
+    assert worst_errors(flight, 5.0)[0] < 15.0 and worst_errors(flight, 40.0)[0] < 5.0
 
 
 def test_without_thrust_the_path_is_the_one_designed() -> None:

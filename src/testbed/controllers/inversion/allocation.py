@@ -48,6 +48,22 @@ def allocate(nu, pressure_ratio, m, c, k, s, w):
     s.saturated = passes_a_stop(m, c, k, s)
     if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
+    for row in range(4):
+        s.short[row] = beyond_stop(row, nu, m, k, s, w) if s.saturated else 0.0
+
+
+@compiled
+def beyond_stop(row, nu, m, k, s, w):
+    """What the positions within the stops leave of one rate's virtual control, if the surface with the most effect on that rate
+    is at its stop and would have to go beyond; else 0: the least squares leave a little of each rate for another's sake."""
+    strongest, effect, left = -1, 0.0, nu[row]
+    for i in range(len(s.r)):
+        left -= m.B[row, i] * w.d[i]
+        if m.servo[i] and k.available[i] and abs(m.B[row, i]) > abs(effect):
+            strongest, effect = i, m.B[row, i]
+    if strongest < 0 or k.row_weight[row] == 0.0 or s.at_stop[strongest] * effect * left <= 0.0:
+        return 0.0
+    return left
 
 
 @compiled

@@ -219,7 +219,9 @@ class ModeSwitch:
             k.airspeed_offset = 0.0 if k.glides else beyond
         elif lost_thrust(setup.model, failed, forces):
             k.airspeed_offset = loops.lost_thrust_faster_m_s
-        k.fast_climb = loops.fast_climb_s if jammed and beyond < 0.0 else 0.0
+        # Thrust that balances a turning moment cannot slow the aircraft down.
+        balances = bool(np.any(setup.turns & (k.available > 0) & (np.array(setup.model.kinds) != "servo")))
+        k.fast_climb = loops.fast_climb_s if jammed and beyond < 0.0 and balances else 0.0
 
     def _carried_over(self, mode: Mode, regulator: Regulator | None) -> np.ndarray:
         """[3] integrals of the regulator, with which the part of nu that comes from them stays as it is.
