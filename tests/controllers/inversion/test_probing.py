@@ -67,8 +67,9 @@ def test_what_does_not_follow_stays_given_up(gain: float, jammed: bool) -> None:
     assert made.s.failed[0]
 
 
-def test_a_held_surface_that_moves_against_its_probe_is_reversed() -> None:
-    made = given_up(1, True)
+@pytest.mark.parametrize("jammed", [False, True])
+def test_a_surface_that_moves_against_its_probe_is_reversed(jammed: bool) -> None:
+    made = given_up(1, jammed)
     assert seconds_until_used(made, 1, -1.0) < 4.0
     assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
 

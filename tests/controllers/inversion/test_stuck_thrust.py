@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from adopted_aircraft import adopted
-from vtail_setup import DT
+from vtail_setup import DT, vtail_setup
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
@@ -20,7 +20,7 @@ from testbed.controllers.inversion.mode_trim import airspeed_range, margins, ste
 from testbed.controllers.inversion.modes import enumerate_modes
 from testbed.controllers.inversion.regulator import design_regulator
 from testbed.controllers.inversion.steady_flights import at_airspeeds, path_angles
-from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
+from testbed.controllers.records import AIRSPEED, ALPHA, ALTITUDE, BETA, P_DOT, PITCH, R_DOT, ROLL, Q
 from testbed.controllers.setup import Setup, setup_for
 
 ENGINE = 3
@@ -113,3 +113,20 @@ def test_with_thrust_short_of_least_drag_the_flight_is_not_slower_than_that(tmp_
     for position in np.arange(1.3, 2.1, 0.1):
         regulator = design_regulator(setup, mode, {ENGINE: position})
         assert "altitude" in regulator.held and np.abs(regulator.K).max() < 500.0
+
+
+def test_without_an_elevator_ailerons_and_rudder_are_not_thrown_for_pitch(tmp_path: Path) -> None:
+    """The trim had 1.5 deg of bank, and a degree of pitch asked for 950 deg/s2 of roll: it rolled over within five seconds. With an
+    engine lost as well a trim has bank, and its coupling is left out."""
+    setup = setup_of(str(adopted("T37", tmp_path)))
+    modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)
+    elevator, engine = (setup.model.actuators.index(name) for name in ("elevator", "left_engine"))
+    for failed, bank in (((elevator,), 0.0), (tuple(sorted((elevator, engine))), 0.03)):
+        regulator = design_regulator(setup, modes[failed], {})
+        along = [AIRSPEED, ALPHA, Q, PITCH, ALTITUDE]
+        assert np.abs(regulator.K[np.ix_([P_DOT, R_DOT], along)]).max() < 1.0
+        assert regulator.eigenvalues.real.max() < 0.0
+        assert abs(regulator.x_trim[ROLL]) == pytest.approx(bank, abs=0.01)
+    setup = vtail_setup()
+    both = enumerate_modes(setup.model, setup.scale, setup.control)[(0, 1)]
+    assert design_regulator(setup, both, {}).K.any(), "its propellers control both"

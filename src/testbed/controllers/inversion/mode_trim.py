@@ -161,10 +161,13 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
     near, anywhere = at_path_angles(degraded, faster, np.zeros(5)), _level_anywhere(degraded)
+    at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
+    if not degraded.pitch_controlled:
+        yield at_one
     for stop_factor in (1.0, _BEYOND_STOPS):
         yield _wings_level(degraded, near), _EVERYTHING, _nearest(wanted), stop_factor
     yield _wings_level(degraded, anywhere), _EVERYTHING, _nearest(wanted), 1.0
-    yield _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
+    yield at_one
     yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
     yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
     yield (

@@ -79,8 +79,9 @@ def has_room(i, m, s):
 
 @compiled
 def is_opposite(i, m, s):
-    """Whether the force of a surface that was taken for jammed is that of the opposite of its command."""
-    return s.jammed[i] and m.servo[i] and abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
+    """Whether a surface may be reversed: one that was taken for jammed has the force of the opposite of its command."""
+    opposite = abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
+    return m.servo[i] and (opposite or not s.jammed[i])
 
 
 @compiled
