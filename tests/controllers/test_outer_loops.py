@@ -22,6 +22,7 @@ from testbed.controllers.outer_loops import (
     wrap,
 )
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
+from testbed.controllers.scaling import PATH_LAG_S
 
 SETUP = vtail_setup()
 MODEL = SETUP.model
@@ -291,6 +292,20 @@ def test_a_slow_wing_is_made_to_follow_by_more_pitch() -> None:
         pid_loops(trim_state(MODEL, climb_rate=-1.0), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         asked.append(float(s.x_dc_dot[Q_DOT]))
     assert asked[1] - asked[0] == pytest.approx(c.q_kp * c.pitch_kp / MODEL.airspeed_m_s)
+
+
+def test_a_climb_that_begins_is_no_climb_rate_that_is_missing() -> None:
+    """Its rate alone is asked for at once, and after many lags the path that does not follow is asked for more. A T-38 whose climb
+    ended threw its elevator by 8 deg, which was then taken for reversed."""
+    m, c, k, s, w = records_of(SETUP)
+    c.climb_kp, c.altitude_kp = 3.0, 0.0
+    asked = []
+    for steps in (1, round(20.0 * PATH_LAG_S / c.dt)):
+        for _ in range(steps):
+            s.pitch_integral = MODEL.alpha_rad
+            pid_loops(trim_state(MODEL), setpoint(**LEVEL | {"altitude_rate": 1.0}), m, c, k, s, w.f, w.nu)
+        asked.append(float(s.x_dc_dot[Q_DOT]) * MODEL.airspeed_m_s / (c.q_kp * c.pitch_kp))
+    assert asked == pytest.approx([1.0, 4.0], abs=0.03)
 
 
 def test_an_error_beyond_the_climb_limit_does_not_wind_up_pitch() -> None:

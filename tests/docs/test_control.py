@@ -62,7 +62,7 @@ SENTENCES = [
     f"what a gust of {sensor_guard.UNSEEN_GUST:g} m/s does by that angle",
     f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
     f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
-    f"so that the path follows within {scaling._PATH_LAG_S:g} s",
+    f"so that the path follows within {scaling.PATH_LAG_S:g} s",
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"After {NUMBER[swing_detection.TURNS]} turns it is used again",
     f"averaged over {swing_detection.FORCE_TIME_S:g} s",

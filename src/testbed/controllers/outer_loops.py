@@ -34,6 +34,7 @@ from testbed.controllers.records import (
     Q,
     R,
 )
+from testbed.controllers.scaling import PATH_LAG_S
 
 STALL_GAIN = 4.0
 """Nose-down acceleration of `regulate` for each radian beyond the stall, in units of the pitch loop's stiffness pitch_kp q_kp."""
@@ -101,8 +102,11 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
     change = c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
     if c.give_up_time == 0.0 or change * s.short[Q_DOT] <= 0.0:
         s.pitch_integral += change
-    climb = clip(c.altitude_kp * e_height, c.climb_max) + ref.altitude_rate
-    pitch = s.pitch_integral + (climb + c.climb_kp * (climb - y.climb_rate)) / v
+    # A path that follows pitch late cannot take up a new rate of the reference at once: that is no climb rate that is missing.
+    s.climb_wanted += dt / PATH_LAG_S * (ref.altitude_rate - s.climb_wanted)
+    climb = clip(c.altitude_kp * e_height, c.climb_max)
+    missing = climb + s.climb_wanted - y.climb_rate
+    pitch = s.pitch_integral + (climb + ref.altitude_rate + c.climb_kp * missing) / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)
     q = c.pitch_kp * (pitch - y.pitch) + turn * math.sin(y.roll)
     s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q) - beyond_stall(y, m, c)

@@ -246,6 +246,7 @@ MEMORY = (
     Field("filtered", (2, 4), "x_c", "state of the two lags on z, the left side of the regression"),
     Field("filtered_phi", (2, 4, _N), "x_c", "state of the two lags on Phi"),
     Field("airspeed_integral", (), "m/s2", "integral term of the airspeed loop"),
+    Field("climb_wanted", (), "m/s", "climb rate of the reference, through the lag with which the flight path is to follow"),
     Field("pitch_integral", (), "rad", "integral term of the altitude loop; at first the trim's pitch"),
     Field("heading_integral", (), "rad/s", "integral term of the heading loop"),
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),

@@ -57,7 +57,7 @@ _NO_AUTHORITY = 1e-3  # rad/s2
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
 _AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator
-_PATH_LAG_S = 0.8
+PATH_LAG_S = 0.8
 """Time constant with which the flight path is to follow pitch [s]."""
 _THRUST_SHARE = 0.5
 """Share of the excess thrust that a climb may use."""
@@ -162,7 +162,7 @@ def _loops(
         "altitude_ki": gains["altitude_ki"] / v,
         "u_dot_max": min(_U_DOT_MAX, max(_U_DOT_SHARE * authority.get("u_dot", math.inf), 0.05)),
         "climb_max": climb,
-        "climb_kp": max(path_lag / _PATH_LAG_S - 1.0, 0.0),
+        "climb_kp": max(path_lag / PATH_LAG_S - 1.0, 0.0),
         "altitude_error_max_m": v / 3.6,
         "airspeed_error_max_m_s": v / 9.0,
         "protect_from_m_s": v / 9.0,
