@@ -31,7 +31,7 @@ SENTENCES = [
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
     f"its estimate has fallen by more than {loss_detection.SUDDEN_LOSS:g} within a few seconds",
-    f"once, for {SET.recovery_s:g} s, its estimate is above {SET.recovery:g} (`recovery`), or "
+    f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
     f"{NUMBER[loss_detection.STANDING_SIGMA]} standard deviations above {loss_detection.CONFIRM_BELOW:g} and the threshold",
     f"gives {1 - offset_detection.DECISION_THRESHOLD:g} to {1 + offset_detection.DECISION_THRESHOLD:g} of its position's thrust",
     f"`lambda_min` is {SET.lambda_min:g} here",
