@@ -325,7 +325,7 @@ def test_the_integral_of_altitude_waits_while_the_elevator_is_at_its_stop(
 ) -> None:
     """Too low, it asks for more pitch than there is; too much pitch may be taken back, and the preset winds up."""
     m, c, k, s, w = records_of(vtail_setup(settings, released=()))
-    s.short[Q_DOT], before = missing, float(s.pitch_integral)
+    s.pitch_beyond_stop, before = missing, float(s.pitch_integral)
     pid_loops(trim_state(MODEL, altitude=MODEL.altitude_m - 1.0), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
     assert (s.pitch_integral == before) == waits
 

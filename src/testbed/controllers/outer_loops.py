@@ -100,7 +100,7 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
     # altitude through q_dot: climb rate, then pitch, then pitch rate
     # Beyond the climb limit the error says how far it is, not what pitch is missing. Nor does it where the elevator is at its stop.
     change = c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
-    if c.give_up_time == 0.0 or change * s.short[Q_DOT] <= 0.0:
+    if c.give_up_time == 0.0 or change * s.pitch_beyond_stop <= 0.0:
         s.pitch_integral += change
     # A path that follows pitch late cannot take up a new rate of the reference at once: that is no climb rate that is missing.
     s.climb_wanted += dt / PATH_LAG_S * (ref.altitude_rate - s.climb_wanted)

@@ -200,7 +200,7 @@ MEMORY = (
     Field("lambda_slow", (_N,), "1", "slow estimate: `lambda_hat` through a lag of `loss_detection.SLOW_LAG_S`"),
     Field("since_flag", (_N,), "s", "time since the flag was set or taken back, or the actuator taken for jammed"),
     Field("jammed", (_N,), "flag", "the force of the actuator does not follow its command, so its position is estimated"),
-    Field("short", (4,), "x_c", "virtual control beyond the stop of the strongest surface of its rate, in the last allocation"),
+    Field("pitch_beyond_stop", (), "rad/s2", "what the last allocation left of q_dot for the stop of its strongest surface"),
     Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
     Field("departed", (), "flag", "altitude or heading is farther from its reference than the outer loops look"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),

@@ -71,9 +71,9 @@ def test_only_what_the_strongest_surface_would_have_to_go_beyond_its_stop_for_is
         given = allocate(records, nu)
         assert records.s.saturated and abs(nu - given)[Q_DOT] > 1e-4
         missing = (nu - given)[Q_DOT] if u_dot == 0.0 else 0.0
-        assert records.s.short[Q_DOT] == pytest.approx(missing)
+        assert records.s.pitch_beyond_stop == pytest.approx(missing)
     allocate(records, np.array([0.0, -1.0, 0.0, 0.0]))
-    assert not records.s.short.any()
+    assert records.s.pitch_beyond_stop == 0.0
 
 
 def test_a_demand_on_airspeed_costs_attitude_almost_nothing() -> None:

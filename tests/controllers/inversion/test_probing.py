@@ -70,8 +70,18 @@ def test_what_does_not_follow_stays_given_up(gain: float, jammed: bool) -> None:
 @pytest.mark.parametrize("jammed", [False, True])
 def test_a_surface_that_moves_against_its_probe_is_reversed(jammed: bool) -> None:
     made = given_up(1, jammed)
+    if not jammed:
+        made.s.lambda_hat[1] = -0.9
     assert seconds_until_used(made, 1, -1.0) < 4.0
     assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
+
+
+def test_a_lost_surface_whose_own_force_does_not_say_so_is_not_reversed() -> None:
+    """One that has just begun to work again has a gain of any sign; full command the wrong way followed."""
+    for sigma, reversed_ in ((0.05, 1), (0.5, 0)):
+        made = given_up(1, False)
+        made.s.lambda_hat[1], made.s.P[1, 1] = -0.3, sigma**2
+        assert (seconds_until_used(made, 1, -1.0) < 4.0) == (made.s.reversed[1] == 1) == reversed_
 
 
 @pytest.mark.parametrize(("gain", "beside"), [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)])

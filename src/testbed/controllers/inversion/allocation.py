@@ -25,7 +25,7 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
 from testbed.controllers.inversion.law import compensate, effect_ratio, invert, largest, reach
-from testbed.controllers.records import U_DOT
+from testbed.controllers.records import Q_DOT, U_DOT
 
 MOST_ITERATIONS = 200
 """Far more than are needed: with 12 variables, at most about 40 were seen. A loop without an end must not fly."""
@@ -45,25 +45,9 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
 def allocate(nu, pressure_ratio, m, c, k, s, w):
     """Fill `s` with references r for a virtual control nu [4]: (29), or where an actuator would pass a stop, the nearest within."""
     invert(nu, pressure_ratio, m, k, s)  # (29)
-    s.saturated = passes_a_stop(m, c, k, s)
+    s.saturated, s.pitch_beyond_stop = passes_a_stop(m, c, k, s), 0.0
     if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
-    for row in range(4):
-        s.short[row] = beyond_stop(row, nu, m, k, s, w) if s.saturated else 0.0
-
-
-@compiled
-def beyond_stop(row, nu, m, k, s, w):
-    """What the positions within the stops leave of one rate's virtual control, if the surface with the most effect on that rate
-    is at its stop and would have to go beyond; else 0: the least squares leave a little of each rate for another's sake."""
-    strongest, effect, left = -1, 0.0, nu[row]
-    for i in range(len(s.r)):
-        left -= m.B[row, i] * w.d[i]
-        if m.servo[i] and k.available[i] and abs(m.B[row, i]) > abs(effect):
-            strongest, effect = i, m.B[row, i]
-    if strongest < 0 or k.row_weight[row] == 0.0 or s.at_stop[strongest] * effect * left <= 0.0:
-        return 0.0
-    return left
 
 
 @compiled
@@ -94,10 +78,25 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
                 w.low[i] = w.high[i] = w.d[i]  # the second problem takes these as they are
     right_hand_side(nu, False, m, k, w)
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
+    s.pitch_beyond_stop = beyond_stop(Q_DOT, nu, m, k, s, w)
     for i in range(len(s.r)):
         s.r[i] = (k.trim_effect[i] + w.d[i]) / effect_ratio(i, pressure_ratio, m)
         if k.thrust_alone[i]:
             s.at_stop[i] = 0  # its bounds were made equal above, which is no stop
+
+
+@compiled
+def beyond_stop(row, nu, m, k, s, w):
+    """What the positions within the stops leave of one rate's virtual control, if the surface with the most effect on that rate
+    is at its stop and would have to go beyond; else 0: the least squares leave a little of each rate for another's sake."""
+    strongest, effect, left = -1, 0.0, nu[row]
+    for i in range(len(s.r)):
+        left -= m.B[row, i] * w.d[i]
+        if m.servo[i] and k.available[i] and abs(m.B[row, i]) > abs(effect):
+            strongest, effect = i, m.B[row, i]
+    if strongest < 0 or k.row_weight[row] == 0.0 or s.at_stop[strongest] * effect * left <= 0.0:
+        return 0.0
+    return left
 
 
 @compiled

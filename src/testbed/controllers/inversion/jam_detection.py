@@ -110,7 +110,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
             elif abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
                 changed = 1
         elif s.reversed[i] and no_longer_reversed(i, s):
-            s.reversed[i], changed = 0, 1
+            s.reversed[i], s.since_flag[i], changed = 0, 0.0, 1
     return changed
 
 

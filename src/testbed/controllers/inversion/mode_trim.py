@@ -153,30 +153,26 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     if degraded.available.sum() < 3 or not motor:
         if motor:
             yield level(degraded, around), ("altitude", "heading"), _nearest(reference), 1.0
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _slowest_descent(degraded), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
         elif not degraded.servos.all():
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _slowest_descent(degraded), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
         yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
     wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
-    near, anywhere = at_path_angles(degraded, faster, np.zeros(5)), _level_anywhere(degraded)
+    near = _wings_level(degraded, at_path_angles(degraded, faster, np.zeros(5)))
+    anywhere = _wings_level(degraded, _level_anywhere(degraded))
+    level_flights = ((near, 1.0), (near, _BEYOND_STOPS), (anywhere, 1.0))
+    at_any = [(flights, _EVERYTHING, _nearest(wanted), stops) for flights, stops in level_flights]
     at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
-    if not degraded.pitch_controlled:
-        yield at_one
-    for stop_factor in (1.0, _BEYOND_STOPS):
-        yield _wings_level(degraded, near), _EVERYTHING, _nearest(wanted), stop_factor
-    yield _wings_level(degraded, anywhere), _EVERYTHING, _nearest(wanted), 1.0
-    yield at_one
-    yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
-    yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
+    yield from (*at_any, at_one) if degraded.pitch_controlled else (at_one, *at_any)
     yield (
         _wings_level(degraded, _anywhere(degraded)),
         ("airspeed", "heading"),
         _roomiest(degraded, wanted),
         1.0,
     )
-    yield _at_any_airspeed(degraded), ("heading",), _slowest_descent(degraded), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
 
 
 def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
@@ -198,7 +194,7 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
             yield level_flights, held, preference, 1.0
     yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
-    yield _at_any_airspeed(degraded), ("heading",), _slowest_descent(degraded), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
 
 
 def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
@@ -207,7 +203,7 @@ def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     flights = _at_any_airspeed(degraded)
     nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
     yield nearly_level, ("altitude", "heading"), _fastest, 1.0
-    yield flights, ("airspeed", "heading"), _slowest_descent(degraded), 1.0
+    yield flights, ("airspeed", "heading"), _nearest_level(degraded), 1.0
 
 
 def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
@@ -260,12 +256,12 @@ def _roomiest(degraded: DegradedAircraft, wanted: float) -> Preference:
     return _by_margin(degraded, _MARGIN_ENOUGH, worth)
 
 
-def _slowest_descent(degraded: DegradedAircraft) -> Preference:
-    """Most margin, but not for a fast descent, at any airspeed: altitude is worth more."""
+def _nearest_level(degraded: DegradedAircraft) -> Preference:
+    """Most margin, but not for a fast descent or climb, at any airspeed: altitude is worth more."""
 
     def worth(flights: SteadyFlight) -> np.ndarray:
         climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / degraded.model.airspeed_m_s
-        return _MARGIN_FOR_SLOPE * climb
+        return -_MARGIN_FOR_SLOPE * np.abs(climb)
 
     return _by_margin(degraded, _MARGIN_OF_A_GLIDE, worth)
 

@@ -18,6 +18,8 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S, reset_covariance
 from testbed.controllers.inversion.jam_detection import settle_regression, take_for_reversed
 from testbed.controllers.inversion.law import effect_ratio
+from testbed.controllers.inversion.loss_detection import STANDING_SIGMA
+from testbed.controllers.inversion.offset_detection import deviation
 
 MEMORY_S = 2.0
 """Time constant of the least squares [s]: what works again is to be used within a few seconds, before something else fails."""
@@ -63,7 +65,7 @@ def probe(e, pressure_ratio, m, c, s):
         if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
             use_again(i, gain, pressure_ratio, m, s)
             changed = 1
-        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and is_opposite(i, m, s):
+        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and may_be_reversed(i, m, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed
@@ -78,10 +80,13 @@ def has_room(i, m, s):
 
 
 @compiled
-def is_opposite(i, m, s):
-    """Whether a surface may be reversed: one that was taken for jammed has the force of the opposite of its command."""
+def may_be_reversed(i, m, s):
+    """Whether the force of a surface at its trim position may be that of a reversed one: it is held near the opposite of its
+    command, or it is lost and its estimate is below zero beyond doubt. One that has just begun to work again has a gain of any
+    sign."""
     opposite = abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
-    return m.servo[i] and (opposite or not s.jammed[i])
+    wrong_way = s.lambda_hat[i] + STANDING_SIGMA * deviation(i, s) < 0.0
+    return m.servo[i] and (opposite if s.jammed[i] else wrong_way)
 
 
 @compiled
