@@ -109,6 +109,13 @@ def test_an_error_that_swings_does_not_drift() -> None:
     assert "at the end, swinging over a range of 18.0 m." in told(log, injection(2.0))
 
 
+def test_a_part_of_a_slow_swing_is_no_drift() -> None:
+    log = lost(0.0)
+    log["altitude_m"] = log["altitude_m"] - 20.0 + 12.0 * np.sin(0.2 * math.pi * (log["time_s"] + 2.0))
+    text = told(log, injection(0.0))
+    assert "too low at the end." in text and "drift" not in text
+
+
 def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
     held = "So far it held: altitude stayed within 5 m and heading within 15 deg of their references"
     assert f"{held}, but less than 5 s were flown after the failure." in told(lost(7.0), injection(7.0))

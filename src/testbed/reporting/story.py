@@ -40,6 +40,7 @@ AXES = {
 _TRACKED = {"altitude": "m", "heading": "deg"}
 _BANDS = (0.1, 0.3, 1.0, 3.0, 5.0, 10.0, 15.0)  # what "settled within" may say, in m or deg
 _LAST = 0.25  # share of the time since a failure from which the final state is judged
+_LONGER = 3  # times that is a drift to be seen in
 _MOST = 3  # failures that are told one by one
 _BRIEF_S = 0.1  # beliefs that were held for less are not told, unless they were the last
 _STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
@@ -304,17 +305,27 @@ def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterato
 
 
 def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
-    tail = _tail(rows)
-    error, time = view.error(quantity)[tail], view.time_s[tail]
-    steady = np.unwrap(error, period=360.0) if unit == "deg" else error
-    rate, start = np.polyfit(time - time[0], steady, 1)
-    swing, drift = np.ptp(steady - start - rate * (time - time[0])), rate * (time[-1] - time[0])
-    end = float(error[-1])
+    """Where an error that did not settle ended; with its drift, if it also went that way over three times as long as the tail."""
+    error, tail = view.error(quantity), _tail(rows)
+    long = slice(max(rows.start, tail.stop - _LONGER * (tail.stop - tail.start)), tail.stop)
+    (rate, drift, swing, reach), (slow, long_drift, long_swing, _) = (
+        _line(view.time_s[part], np.unwrap(error[part], period=360.0) if unit == "deg" else error[part])
+        for part in (tail, long)
+    )
+    end = float(error[rows.stop - 1])
     side = ("too low", "too high") if quantity == "altitude" else ("left of it", "right of it")
     off = f"{quantity.capitalize()} did not settle: {_amount(abs(end))} {unit} {side[end > 0.0]} at the end"
-    if swing > abs(drift):
-        return f"{off}, swinging over a range of {_amount(float(np.ptp(steady)))} {unit}."
-    return f"{off}, drifting by {_amount(float(rate), signed=True)} {unit}/s."
+    if swing > drift:
+        return f"{off}, swinging over a range of {_amount(reach)} {unit}."
+    lasts = slow * rate > 0.0 and long_swing <= 0.5 * long_drift  # less than a whole turn of a swing
+    return f"{off}, drifting by {_amount(rate, signed=True)} {unit}/s." if lasts else f"{off}."
+
+
+def _line(time: np.ndarray, values: np.ndarray) -> tuple[float, float, float, float]:
+    """The line through values [rows]: its rate, how far it goes, how widely the values swing about it; and their whole range."""
+    rate, start = np.polyfit(time - time[0], values, 1)
+    swing = np.ptp(values - start - rate * (time - time[0]))
+    return float(rate), float(abs(rate) * (time[-1] - time[0])), float(swing), float(np.ptp(values))
 
 
 def _speed(view: Readings, first: int) -> Iterator[str]:
