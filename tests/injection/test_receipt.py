@@ -32,7 +32,7 @@ def test_an_overwritten_property_is_not_verified() -> None:
     """Negative control: the model computes this one anew in every step."""
     flown = fly({"type": "property", "at_s": START_S, "set": {"fcs/left-ruddervator/servo-rad": 0.1}})
     assert flown.event()["verified"] is False
-    assert "did NOT take effect" in flown.flight.summary["warnings"][0]
+    assert "did NOT stay as written" in flown.flight.summary["warnings"][0]
 
 
 def test_an_unconnected_property_is_not_verified(tmp_path: Path) -> None:

@@ -172,6 +172,15 @@ def test_a_failure_that_ends_is_told_with_its_end_and_a_flag_after_it_is_no_dete
     assert "flagged nothing as failed" not in text
 
 
+def test_what_did_not_stay_as_written_is_not_said_to_have_had_no_effect() -> None:
+    high = {"type": "property", "at_s": 0.5, "set": {"position/h-sl-ft": 1500.0}}
+    still = {"duration_s": 1, "requirements": [], "commands": []}
+    text = story(testbed.fly("left_tail_fail.yaml", set={**still, "failures": [high]}))[0]
+    assert text == "At 0.5 s position/h-sl-ft was held at 1500. This did not stay as written."
+    nothing = injection(2.0, verified=False, effect={"quantity": "effective_deg"})
+    assert "completely. This had no effect on the aircraft." in told(lost(2.0), nothing)
+
+
 def test_nothing_broken() -> None:
     assert story(flight_of(level_log()))[0] == "Nothing was broken."
 

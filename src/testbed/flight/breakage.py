@@ -45,7 +45,7 @@ class ActiveFailure(NamedTuple):
     """A failure of a flight, and when it was active.
 
     `until_s` is infinite where it lasted to the end of the flight. `verified` says whether its effect was observed; None where it
-    cannot be.
+    cannot be. `stayed` says whether what it wrote stayed as written.
     """
 
     number: int
@@ -56,6 +56,7 @@ class ActiveFailure(NamedTuple):
     from_s: float
     until_s: float
     verified: bool | None
+    stayed: bool
 
     def rows(self, log: Log) -> slice:
         """The rows of a log in which it was active."""
@@ -71,10 +72,16 @@ def failures_of(events: Iterable[Mapping[str, Any]]) -> list[ActiveFailure]:
         if event.get("active", True):
             latest[number] = len(found)
             who, seen = event.get("actuator") or "", event.get("verified", True)
-            found.append(ActiveFailure(number, event.get("type", ""), who, event["time_s"], math.inf, seen))
+            kind, wrote = event.get("type", ""), stayed(event)
+            found.append(ActiveFailure(number, kind, who, event["time_s"], math.inf, seen, wrote))
         elif number in latest:
             found[latest[number]] = found[latest[number]]._replace(until_s=event["time_s"])
     return found
+
+
+def stayed(start: Mapping[str, Any]) -> bool:
+    """Whether what a failure wrote stayed as written, from the receipt of its start: if not, no response was compared."""
+    return start.get("verified", True) is not False or start.get("effect") is not None
 
 
 def failure_times_s(events: Iterable[Mapping[str, Any]]) -> list[float]:

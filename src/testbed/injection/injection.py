@@ -11,6 +11,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.common.random_streams import generator
 from testbed.common.signals import first_step_at
 from testbed.failures import Capture, Course, Failure, held_by
+from testbed.flight.breakage import stayed
 from testbed.flight.columns import Recorded, reader
 from testbed.injection.receipt import RECEIPT_STEPS, Hold, Watch, reads_back
 from testbed.plant.jsbsim import Plant
@@ -195,6 +196,8 @@ class Injection:
             yield f"{name} never started: {f'{when} did not happen' if when else 'the flight ended before'}"
         for receipt in self.receipts:
             text = _NOT_AS_ASKED.get((receipt["active"], receipt["verified"]))
+            if receipt["active"] and not stayed(receipt):
+                text = "did NOT stay as written: the simulation computes some property of it anew"
             if text:
                 yield f"{name} at {receipt['time_s']:g} s {text}"
 

@@ -105,7 +105,8 @@ def _failures(flight: Flight) -> Iterator[str]:
 
 
 def _failure(flight: Flight, failure: ActiveFailure) -> str:
-    late = " This had no effect on the aircraft." if failure.verified is False else ""
+    why = "had no effect on the aircraft" if failure.stayed else "did not stay as written"
+    late = f" This {why}." if failure.verified is False else ""
     until = f", until {failure.until_s:.1f} s" if failure.until_s < math.inf else ""
     return f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{until}.{late}"
 

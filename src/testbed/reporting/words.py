@@ -8,7 +8,7 @@ from typing import Any
 
 from testbed.common.units import endings, unit
 from testbed.failures import Failure
-from testbed.flight.breakage import RECOVERED
+from testbed.flight.breakage import RECOVERED, stayed
 from testbed.flight.flight import Flight
 
 _REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
@@ -114,7 +114,9 @@ def describe(event: Mapping[str, Any], flight: Flight) -> str:
             return f"FALSE ALARM: {who}"
         case "injection" if event.get("active", True):
             said = broke(flight, event.get("failure", 0)).removeprefix("the ")
-            return said + _REMARKS[event.get("verified", True)]
+            return said + (
+                _REMARKS[event.get("verified", True)] if stayed(event) else " (DID NOT STAY AS WRITTEN)"
+            )
         case "injection":
             what = f"{event.get('type', 'failure')} ends"
             return f"{who}: {what}" if who else what

@@ -25,7 +25,10 @@ def test_chatter_does_not_bury_the_figure() -> None:
 
 def test_failures_are_told_in_words_with_their_values() -> None:
     assert describe(injection(2.0), FLIGHT) == "elevon was lost completely"
-    assert describe(injection(2.0, verified=False), FLIGHT) == "elevon was lost completely (HAD NO EFFECT)"
+    seen = injection(2.0, verified=False, effect={"quantity": "effective_deg"})
+    assert describe(seen, FLIGHT) == "elevon was lost completely (HAD NO EFFECT)"
+    not_kept = describe(seen | {"effect": None}, FLIGHT)
+    assert not_kept == "elevon was lost completely (DID NOT STAY AS WRITTEN)"
     assert describe(injection(4.0, active=False), FLIGHT) == "elevon: effectiveness ends"
 
 
