@@ -312,6 +312,16 @@ def test_a_flag_that_outlasts_its_failure_is_said() -> None:
     assert said not in told(log, *events)
 
 
+def test_a_flag_that_was_taken_back_is_said_with_when() -> None:
+    log = lost(2.0, 4.0)
+    log["elevon_failed"][at(2.3) : at(5)] = 1.0
+    assert "It used the elevon again from 5.0 s on." in told(log, injection(2.0))
+    log["elevon_failed"][at(6) : at(6.5)] = log["elevon_failed"][at(6.52) :] = 1.0
+    text = told(log, injection(2.0))
+    assert "It used the elevon again from 5.0 s to 6.0 s." in text and text.count("again") == 1
+    assert "again" not in told(lost(2.0), injection(2.0))
+
+
 def test_sideslip_of_a_moment_before_the_next_failure_is_not_told() -> None:
     log = lost(2.0)
     log["beta_deg"][at(2) : at(4)] = -8.0

@@ -23,7 +23,7 @@ from testbed.flight.breakage import (
     signs,
     unnoticed,
 )
-from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
+from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from, stretches
 from testbed.flight.events import LIMITS
 from testbed.flight.flight import Flight
 from testbed.metrics import Readings, readings
@@ -136,6 +136,7 @@ def _controller(view: Readings) -> Iterator[str]:
         gave_up = _gave_up([axis for event in false for axis in _released(view, event)])
         first = f"{who}, first at {false[0]['time_s']:.1f} s"
         yield f"It wrongly flagged {joined([first, *gave_up])}."
+    yield from _used_again(view)
 
 
 def _unnoticed(view: Readings, false_alarms: bool) -> str:
@@ -234,6 +235,21 @@ def _used_on(view: Readings) -> Iterator[str]:
             until = "on" if end_s >= view.time_s[-1] else f"to {end_s + view.step_s:.1f} s"
             taken = believed(last, view.actuators)
             yield f"It took the {title(name)} for {taken} from {last['time_s']:.1f} s {until}, and used it."
+
+
+def _used_again(view: Readings) -> Iterator[str]:
+    """The actuators whose flags were taken back for more than a moment, each with when it was so last."""
+    found: list[tuple[int, str]] = []
+    for name in view.actuators:
+        flags = stretches(view.log[f"{name}_failed"] > 0.0)
+        nexts = [*(first for first, _ in flags), len(view.time_s)][1:]
+        for (_, end), until in list(zip(flags, nexts, strict=True))[::-1]:
+            if (until - end) * view.step_s >= _BRIEF_S:
+                on = "on" if until == len(view.time_s) else f"to {view.time_s[until]:.1f} s"
+                found.append((end, f"the {title(name)} again from {view.time_s[end]:.1f} s {on}"))
+                break
+    if found:
+        yield f"It used {joined([said for _, said in sorted(found)])}."
 
 
 def _gave_up(axes: Sequence[str]) -> list[str]:
