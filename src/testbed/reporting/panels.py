@@ -164,15 +164,19 @@ def effectiveness(flight: Flight) -> Iterator[Panel]:
     estimated = has_estimates(flight.signals, flight.actuators)
     own = flight.flown_by or not estimated
     chosen = {} if own else flight.scenario.controller.model_dump()
-    for name, actuator in flight.actuators.items():
-        threshold = None if actuator["kind"] == "servo" else chosen.get("propeller_threshold")
-        if threshold is None:
-            threshold = chosen.get("threshold")
+    usual, of_engine = chosen.get("threshold"), chosen.get("propeller_threshold")
+    thresholds = {
+        name: usual if actuator["kind"] == "servo" or of_engine is None else of_engine
+        for name, actuator in flight.actuators.items()
+    }
+    known = dict.fromkeys(f"{value:g}" for value in thresholds.values() if value is not None)
+    label = f"threshold {' / '.join(known)}"  # one for all panels, whose lines look alike
+    for name, threshold in thresholds.items():
         series = [Series(response_of(name), "true", "truth")]
         if estimated:
             series.append(Series(f"{name}_effectiveness_estimate", "believed", "belief"))
         yield Panel(
-            title(name), "-", tuple(series), 1.2, {} if threshold is None else {threshold: f"threshold {threshold:g}"},
+            title(name), "-", tuple(series), 1.2, {} if threshold is None else {threshold: label},
             (0.0, 1.0), f"{name}_failed", "flagged failed", (*_held(flight, name), *_taken_for(flight, name)),
         )  # fmt: skip
 

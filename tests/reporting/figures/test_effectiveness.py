@@ -32,6 +32,16 @@ def test_an_estimate_is_drawn_with_its_threshold() -> None:
     assert "believed" in labels and any(label.startswith("threshold") for label in labels)
 
 
+def test_thresholds_of_surfaces_and_engines_share_the_words_as_their_lines_look_alike() -> None:
+    log = level_log()
+    log["elevon_effectiveness_estimate"][400:] = 0.5
+    made = flight_of(log)
+    law = {"type": "adaptive_inversion", "threshold": 0.06, "propeller_threshold": 0.12}
+    two = made.scenario.model_validate({**made.scenario.model_dump(), "controller": law})
+    shown = _labels(replace(made, scenario=two))
+    assert {label for label in shown if label.startswith("threshold")} == {"threshold 0.06 / 0.12"}
+
+
 def test_what_is_true_is_what_the_actuator_does_for_its_command() -> None:
     """An actuator that is held has no line of it from then on, and the panel says so; in the page and in the figure."""
     made = flight_of(level_log(), [injection(3.0, type="stuck")])
