@@ -43,7 +43,7 @@ def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
             "no model 'c172', expected a model of the jsbsim package or the folder of a model, did you mean c172",
         ),
         (["c172p", "--out", "file"], "file: exists already, expected --out with a new folder"),
-        (["c172p", "--out", "file/below"], "file/below: cannot be written: Not a directory"),
+        (["c172p", "--out", "file/below"], "file/below: cannot be written: file is a file, not a folder"),
         (["c172p", "--out", "x" * 300], "x: cannot be written: File name too long"),
         (["c172p", "--out", "a\x1b[31mb"], "has control characters in its name"),
     ],

@@ -70,7 +70,7 @@ def add_within(flight: Flight, folder: Path, figures: bool) -> None:
 def test_a_folder_that_cannot_be_made_is_refused_before_the_flight(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     for path, words in [
-        (tmp_path / "file" / "run", "cannot be written: File exists"),
+        (tmp_path / "file" / "run", f"cannot be written: {tmp_path / 'file'} is a file, not a folder"),
         (tmp_path / ("x" * 250), "cannot be written: File name too long"),
         (Path("/proc/run"), "cannot be written: No such file or directory"),
         (tmp_path / "a\0b", "has a NUL character in its name"),

@@ -33,7 +33,7 @@ def test_nothing_is_written_over(tmp_path: Path) -> None:
 
 def test_what_cannot_be_made_is_refused_in_words(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    assert refused(tmp_path / "file/below").endswith("file/below: cannot be written: Not a directory")
+    assert refused(tmp_path / "file/below").endswith("/file is a file, not a folder")
     assert refused(tmp_path / ("x" * 300)).endswith("cannot be written: File name too long")
     assert "has a NUL character in its name" in refused(tmp_path / "a\0b")
     assert "/proc/x" in refused(Path("/proc/x/y"))

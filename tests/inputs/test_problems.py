@@ -39,6 +39,12 @@ def test_did_you_mean(word: object, meant: str) -> None:
     assert did_you_mean(word, ["gamma", "epsilon"]) == meant
 
 
+def test_a_word_that_was_not_ended_is_answered_by_one_that_begins_so() -> None:
+    names = ["altitude_recovery_s", "altitude_excursion_healthy_m", "altitude_excursion_failed_m"]
+    assert did_you_mean("altitude_exc", names) == "altitude_excursion_failed_m"
+    assert did_you_mean("alt", names) == ""
+
+
 def test_a_guess_is_the_likely_one_or_all() -> None:
     assert guess("gama", ["gamma", "epsilon"]) == ("", "gamma")
     assert guess("zzz", ["gamma", "epsilon"]) == ("one of gamma, epsilon", "")

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from testbed.adoption.source import Source, find_source, package_root
 from testbed.common import child
 from testbed.common.text import printable
+from testbed.inputs.output_file import cannot_write
 from testbed.inputs.problems import BadInput, Problem
 
 LONGEST_S = 120
@@ -56,7 +57,7 @@ def _refuse(folder: Path) -> None:
         elif not folder.is_dir() or any(folder.iterdir()):
             raise BadInput([Problem("exists already", str(folder), expected="--out with a new folder")])
     except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
+        raise BadInput([cannot_write(folder, error)]) from None
 
 
 def adopted_card(source: Source, folder: Path, longest_s: int = LONGEST_S) -> str:

@@ -18,6 +18,7 @@ from testbed.common.text import cell, text_of
 from testbed.common.writing import replacing, write
 from testbed.flight.damage import Summary, refuse_damaged
 from testbed.flight.flight import Flight
+from testbed.inputs.output_file import cannot_write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import read_json, refuse_links
 from testbed.inputs.validation import validated
@@ -81,7 +82,7 @@ def _partial_of(folder: Path) -> Path:
         folder.parent.mkdir(parents=True, exist_ok=True)
         return Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".partial", dir=folder.parent))
     except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
+        raise BadInput([cannot_write(folder, error)]) from None
     except ValueError:
         raise BadInput([Problem("has a NUL character in its name", repr(str(folder)))]) from None
 

@@ -45,4 +45,12 @@ def writing(place: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(place))]) from None
+        raise BadInput([cannot_write(place, error)]) from None
+
+
+def cannot_write(place: Path, error: OSError) -> Problem:
+    """Why no file or folder can be made there: what should be a folder above it is none, or else what the system says."""
+    above = next(filter(os.path.lexists, place.parents), None)
+    blocked = above is not None and not above.is_dir()
+    why = f"{above} is a file, not a folder" if blocked else error.strerror or str(error)
+    return Problem(f"cannot be written: {why}", str(place))

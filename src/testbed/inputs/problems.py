@@ -16,6 +16,9 @@ OWN_PART = "one of your own needs --with FILE.py"
 """Said of an unknown name in a place where a part of the user's own can be named."""
 
 
+_BEGUN = 4  # letters from which on a word is taken for the beginning of a longer one
+
+
 @dataclass(frozen=True)
 class Problem:
     """One thing wrong with the input; prints `file:line: path: what, expected ..., did you mean ...?`."""
@@ -68,9 +71,10 @@ def collect(problems: list[Problem], function: Callable[[], Result]) -> Result |
 
 
 def did_you_mean(word: object, candidates: Iterable[str]) -> str:
-    """The candidate closest to a mistyped word, or "" when none is close."""
-    by_fold = {candidate.casefold(): candidate for candidate in candidates}
-    close = difflib.get_close_matches(str(word).casefold(), by_fold, n=1, cutoff=0.6)
+    """The candidate closest to a mistyped word, of those that begin with it if any do, or "" when none is close."""
+    by_fold, typed = {candidate.casefold(): candidate for candidate in candidates}, str(word).casefold()
+    begun = [fold for fold in by_fold if len(typed) >= _BEGUN and fold.startswith(typed)]
+    close = difflib.get_close_matches(typed, begun or by_fold, n=1, cutoff=0.0 if begun else 0.6)
     return by_fold[close[0]] if close else ""
 
 

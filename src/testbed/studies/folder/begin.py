@@ -22,6 +22,7 @@ from testbed.controllers.user.own import sha256_of
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import read_text
+from testbed.inputs.output_file import cannot_write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import refuse_links
 from testbed.inputs.yaml_source import Source, describe
@@ -62,7 +63,7 @@ def begin(folder: Path, plan: Plan, fly: str, *, resume: bool, mixed: bool = Fal
             raise
         return stored
     except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror or error}", str(folder))]) from None
+        raise BadInput([cannot_write(folder, error)]) from None
 
 
 def write_study(folder: Path, plan: Plan) -> None:
