@@ -11,11 +11,17 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
+import pandas as pd
 import yaml
 
 import testbed
+from testbed.api.benchmark import prepare
+from testbed.cli.ending import BAD_INPUT
+from testbed.inputs.output_file import refuse_unwritable
+from testbed.inputs.problems import BadInput
 
 ROOT = Path(__file__).parents[1]
 CONTROLLERS = ("default", "indi_monitor", "l1_inversion", "indi")
@@ -67,6 +73,19 @@ def suite() -> dict[str, Any]:
     return made
 
 
+def fly(folder: Path, word: str, draws: int) -> pd.DataFrame:
+    """The table of the flights in a folder, flown as far as they are missing; raises BadInput before anything is written."""
+    file, out = folder / "strangers.yaml", folder / "flights"
+    text = yaml.safe_dump(suite(), sort_keys=False)
+    with TemporaryDirectory() as scratch:
+        tried = Path(scratch) / file.name
+        tried.write_text(text, encoding="utf-8")
+        prepare(tried, out, word=word, draws=draws)
+    refuse_unwritable(file, is_ours=lambda _: True)
+    file.write_text(text, encoding="utf-8")
+    return testbed.benchmark(file, out, word=word, draws=draws, resume=out.exists())
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -75,10 +94,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--word", required=True, help="from which, with the law's digest, the seed is made")
     parser.add_argument("--draws", type=int, default=80, help="flights of each controller")
     options = parser.parse_args(arguments)
-    options.folder.mkdir(parents=True, exist_ok=True)
-    file, out = options.folder / "strangers.yaml", options.folder / "flights"
-    file.write_text(yaml.safe_dump(suite(), sort_keys=False), encoding="utf-8")
-    flown = testbed.benchmark(file, out, word=options.word, draws=options.draws, resume=out.exists())
+    try:
+        flown = fly(options.folder, options.word, options.draws)
+    except BadInput as error:
+        parser.exit(BAD_INPUT, f"{error}\n")
     print(flown.groupby("controller")[["survived", "held", "inside"]].mean())
 
 

@@ -83,6 +83,8 @@ def prepare(
     if entry is not None and digests():
         what = "would need parts of your own, with which nobody else can check it"
         raise BadInput([Problem(what, "--entry", expected="no --with")])
+    if word is not None and not word.strip():
+        raise BadInput([Problem("is empty", "--word", expected="a public word")])
     if seed is not None and word is not None:
         raise BadInput([Problem("makes a seed, and one is given", "--word", expected="--word or --seed")])
     if seed is None:
