@@ -50,6 +50,14 @@ def test_bad_options_are_refused(here: Path, called: Called, arguments: list[str
     assert status == 2 and err.startswith(words), err
 
 
+def test_what_is_resumed_must_be_there(here: Path, called: Called) -> None:
+    (here / "runs" / "mine").mkdir(parents=True)
+    file = written(here).name
+    said = (2, "", "runs/mnie: does not exist, expected a folder to resume, did you mean runs/mine?\n")
+    assert called("sweep", file, "--out", "runs/mnie", "--resume") == said
+    assert not (here / "runs" / "mnie").exists()
+
+
 def test_the_shipped_sweeps_are_valid(here: Path, called: Called) -> None:
     for file in files_in("scenarios/sweeps"):
         name = str(file.relative_to(data_root()))

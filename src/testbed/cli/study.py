@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.cli.ending import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended, later, tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.terminal import working
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 if TYPE_CHECKING:
     from testbed.api.study import Kind
@@ -40,6 +40,8 @@ def run(kind: Kind, options: Namespace, file: str, *, one: str = "run", **own: A
         plan, usual = kind.prepare(file, None, options.set, **own)
         return _fly_only(plan, options, how, usual.with_name(f"{usual.name}-{one}-{options.only}"))
     plan, folder = kind.prepare(file, options.out, options.set, resume=options.resume, **own)
+    if options.resume and options.copy_to is None:
+        _refuse_missing(folder)
     if options.shard is not None:  # which `testbed merge` joins with the others
         with tidily(), _copied(folder, options), _flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)
@@ -59,6 +61,17 @@ def run(kind: Kind, options: Namespace, file: str, *, one: str = "run", **own: A
     print(flights)
     print(f"wrote {folder}")
     return status
+
+
+def _refuse_missing(folder: Path) -> None:
+    """Raise BadInput where there is nothing to resume: a mistyped name must not begin a study anew."""
+    if not folder.exists():
+        beside = folder.parent.iterdir() if folder.parent.is_dir() else ()
+        near = did_you_mean(folder.name, (each.name for each in beside if each.is_dir()))
+        meant = str(folder.with_name(near)) if near else ""
+        raise BadInput(
+            [Problem("does not exist", str(folder), expected="a folder to resume", suggestion=meant)]
+        )
 
 
 def _fly_only(plan: Plan, options: Namespace, how: Options, usual: Path) -> int:
