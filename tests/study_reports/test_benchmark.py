@@ -61,6 +61,14 @@ def test_every_controller_has_its_line_in_the_order_flown(summary: dict) -> None
     assert names == ["| `default`", "| `fixed`", "| best of all"]
 
 
+def test_of_one_controller_alone_nothing_is_said_of_others(tmp_path: Path) -> None:
+    out = flown(written(tmp_path, tree()), tmp_path / "out", draws=1, controllers=["default"])
+    lines = markdown(json.loads((out / "summary.json").read_text()))
+    assert lines[0].startswith("Of 1 draw `default` holds ")
+    text = "\n".join(lines)
+    assert not any(word in text for word in ("best", "loses", "minus", "other"))
+
+
 def test_the_command_to_fly_again_is_one(summary: dict) -> None:
     mine = summary | {"given": summary["given"] | {"mine": "mine.py:Mine", "less": "less={type: pid}"}}
     assert again(mine, 3, "less").endswith("--controller 'less={type: pid}'")

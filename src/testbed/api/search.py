@@ -20,6 +20,7 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import believed, read_frame, read_json, refuse_links
 from testbed.reporting.attempt import add_report, attempt
+from testbed.reporting.words import count
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder.begin import refuse_blocked
@@ -181,7 +182,7 @@ def rebuild(folder: Path) -> dict[str, Any]:
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:
     """As `Kind.answer`."""
-    return [*sentences(summary), f"{summary['flights']} flights"]
+    return [*sentences(summary), count(summary["flights"], "flight")]
 
 
 def met(summary: Mapping[str, Any]) -> bool:

@@ -15,7 +15,7 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
-from testbed.reporting.words import interval, number, passing
+from testbed.reporting.words import count, interval, number, passing
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
@@ -157,7 +157,7 @@ def _shares(summary: Mapping[str, Any]) -> Iterator[str]:
     for variant in summary["variants"]:
         total = variant["all_requirements"]
         if flown := total["n"] + total.get("not_judged", 0):
-            yield f"{variant['label'] or summary['sweep']}: {flown} runs"
+            yield f"{variant['label'] or summary['sweep']}: {count(flown, 'run')}"
             yield f"  {interval(total)}  {passing(variant['requirements'])}"
             yield from (f"  {interval(each)}  {each['name']}" for each in variant["requirements"])
 

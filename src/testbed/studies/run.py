@@ -22,6 +22,7 @@ from testbed.common.statistics import proportion
 from testbed.common.text import printable
 from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.words import count
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import SAVE_LOGS, Fly, Job, fly_reference
 from testbed.studies.flying.pool import MOST_JOBS, FlyAll, Workers, default_jobs, refuse_dead, workers
@@ -133,7 +134,8 @@ class Flights:
             return "no flight was missing"
         wall_s = max(self._ended - self._begun, 1e-9)
         rate, speed = self.count / wall_s, self._flown_s / wall_s
-        return f"{self.count} flights in {wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} times real time"
+        many = f"{rate:.1f} flights/s" if rate >= 1.0 else f"{1.0 / rate:.1f} s a flight"
+        return f"{count(self.count, 'flight')} in {wall_s:.1f} s: {many}, {speed:.0f} times real time"
 
 
 def fly_into(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.junit import Test
-from testbed.reporting.words import interval, number
+from testbed.reporting.words import count, interval, number
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -116,17 +116,24 @@ def _best_rival(summary: Summary) -> str | None:
 def _in_short(summary: Summary) -> str:
     """The result in three sentences."""
     first, scores, best = summary["reference"], summary["scores"], _best_rival(summary)
-    said = f"Of {summary['draws']} draws `{first}` holds {_interval(scores[first]['held'])}."
+    said = f"Of {count(summary['draws'], 'draw')} `{first}` holds {_interval(scores[first]['held'])}."
     if best is not None:
         by = scores[best]["against_reference"]["held"]
         said += f" The best other, `{best}`, holds {scores[best]['held']['estimate']:.3f}: {_interval(by, 'difference', '+.3f')}."
-    return f"{said} The best controller in each draw holds {scores[summary['order'][-1]]['held']['estimate']:.3f}."
+    for bound in _bound(summary):
+        said += f" The best controller in each draw holds {scores[bound]['held']['estimate']:.3f}."
+    return said
+
+
+def _bound(summary: Summary) -> list[str]:
+    """The best of all that were flown; none where one alone was."""
+    return summary["order"][-1:] if len(summary["controllers"]) > 1 else []
 
 
 def _shown(summary: Summary) -> list[str]:
     """Who is in the tables: those told nothing, the best of the others, and the bound."""
     told = sorted(summary["told"], key=lambda name: -summary["scores"][name]["inside"]["estimate"])
-    return [*compared(summary), *told[:1], summary["order"][-1]]
+    return [*compared(summary), *told[:1], *_bound(summary)]
 
 
 def _named(summary: Summary, name: str) -> str:
@@ -138,6 +145,8 @@ def _named(summary: Summary, name: str) -> str:
 def _where(summary: Summary) -> Iterator[Section]:
     """The groups in which another controller holds more, and the draws that only others hold."""
     first, lost = summary["reference"], summary["lost"][summary["reference"]]
+    if not _bound(summary):
+        return
     title = f"Where `{first}` loses"
     rows = sorted(_behind(summary), key=lambda row: float(row[2]) - float(row[3]))
     if rows:
@@ -190,6 +199,8 @@ def _totals(summary: Summary) -> Section:
             f"{score['short_of_bound']['estimate']:.3f}",
             _number(score.get("effort")), _number(score.get("saturated_s")),
         ])  # fmt: skip
+    if not _bound(summary):  # what is beside others means nothing
+        return Section("All", "", (*head[:4], *head[7:]), [[*row[:4], *row[7:]] for row in rows])
     return Section("All", "", head, rows)
 
 
@@ -240,7 +251,7 @@ def _noticed(summary: Summary) -> Iterator[Section]:
     flagged = ["rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]"]
     head = ["controller", *(flagged if broken else ()), "healthy hours", "false alarms in them", "per hour"]
     rows = []
-    for name in _shown(summary)[:-1]:
+    for name in filter(summary["controllers"].__contains__, _shown(summary)):
         score = summary["scores"][name]
         alarms, per_h = score["healthy_false_alarms"], score["healthy_false_alarms_per_h"]
         if alarms is None:  # it says nothing of failures
@@ -258,7 +269,7 @@ def _noticed(summary: Summary) -> Iterator[Section]:
 def _groups(summary: Summary) -> Iterator[Section]:
     """The shares held in each group, by the reference, the best other and the bound."""
     rival = _best_rival(summary)
-    shown = [summary["reference"], *([] if rival is None else [rival]), summary["order"][-1]]
+    shown = [summary["reference"], *([] if rival is None else [rival]), *_bound(summary)]
     title, words = "By group", f"Share of the draws held. Groups of fewer than {_FEW} draws are left out."
     for factor, said in _TITLES.items():
         groups = _large(summary, factor)
@@ -275,8 +286,8 @@ def _others_lose(summary: Summary) -> Iterator[Section]:
     """Of each other controller, how many draws it alone loses, and which of them first."""
     rows = [
         [_named(summary, name), str(lost[0]["of"]), ", ".join(str(each["draw"]) for each in lost)]
-        for name in _shown(summary)[:-1]
-        if name != summary["reference"] and (lost := summary["lost"][name])
+        for name in _shown(summary)
+        if name in summary["controllers"] and name != summary["reference"] and (lost := summary["lost"][name])
     ]
     if rows:
         words = "Draws that it does not hold and another, told nothing, does, and those in which it is outside longest."
@@ -286,12 +297,12 @@ def _others_lose(summary: Summary) -> Iterator[Section]:
 def _reasons(summary: Summary) -> Iterator[Section]:
     counts: dict[tuple[str, int], list[str]] = {}
     for name in summary["controllers"]:
-        for reason, count in summary["scores"][name]["without_result"].items():
-            counts.setdefault((reason, count), []).append(f"`{name}`")
+        for reason, many in summary["scores"][name]["without_result"].items():
+            counts.setdefault((reason, many), []).append(f"`{name}`")
     everyone = len(summary["controllers"])
     rows = [
-        ["all" if len(names) == everyone > 1 else ", ".join(names), str(count), reason]
-        for (reason, count), names in counts.items()
+        ["all" if len(names) == everyone > 1 else ", ".join(names), str(many), reason]
+        for (reason, many), names in counts.items()
     ]
     if rows:
         head = ("controller", "flights of each", "why")
@@ -299,7 +310,7 @@ def _reasons(summary: Summary) -> Iterator[Section]:
 
 
 def _flown(summary: Summary) -> str:
-    said = f"Suite `{summary['suite']}`, version {summary['version']}, seed {summary['seed']}, {summary['draws']} draws."
+    said = f"Suite `{summary['suite']}`, version {summary['version']}, seed {summary['seed']}, {count(summary['draws'], 'draw')}."
     if summary.get("word"):
         digest = summary["law_sha256"]
         law = f"digest `{digest[:16]}`" if digest else "digest, which was not recorded,"
