@@ -47,10 +47,14 @@ def test_an_unknown_aircraft(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     file.parent.mkdir()
     file.write_text("")
     (tmp_path / "empty").mkdir()
+    (tmp_path / "copied").mkdir()
+    for name in ("vtail.yaml", "vtail.xml", "shape.yaml"):
+        (tmp_path / "copied" / name).touch()
     assert find_aircraft("./heavy") == file
     for name, problem in {
         "./hevy": r"there is no folder './hevy', .* did you mean \./heavy\?",
         "./empty": r"'./empty' has no empty\.yaml",
+        "./copied": r"has no copied\.yaml, expected vtail\.yaml renamed to copied\.yaml",
         "./heavy/heavy.yaml": r"is a file, expected an aircraft's folder, did you mean \./heavy\?",
         "/": "'/' has no ",
         "./": r"\./' has no .*",

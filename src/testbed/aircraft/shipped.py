@@ -76,6 +76,9 @@ def _no_folder(name: str, folder: Path) -> Problem:
         _folder_name(above / each) for each in _names_in(folder.parent) if _is_aircraft(folder.parent / each)
     ]
     what = f"{name!r} has no {folder.name}.yaml" if os.path.isdir(folder) else f"there is no folder {name!r}"
+    inside = _names_in(folder)
+    if own := [file for file in inside if file.endswith(".yaml") and f"{file[:-5]}.xml" in inside]:
+        return Problem(what, expected=f"{min(own)} renamed to {folder.name}.yaml")
     return Problem(what, expected=_FOLDER, suggestion=did_you_mean(name, near))
 
 
