@@ -76,7 +76,7 @@ def test_what_is_no_model_is_refused(tmp_path):
     with pytest.raises(BadInput, match=r"is <propeller>, expected a JSBSim model"):
         read_whole(find_source(str(folder), package_root()))
     (folder / "mine.xml").write_text("<fdm_config>")
-    with pytest.raises(BadInput, match="is not XML"):
+    with pytest.raises(BadInput, match=r"mine\.xml:1: is not XML: the file ends too early"):
         read_whole(find_source(str(folder), package_root()))
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from testbed.aircraft.model_files.numbers import finite
-from testbed.aircraft.model_files.safe_xml import read_bytes
+from testbed.aircraft.model_files.safe_xml import not_xml, read_bytes
 from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
@@ -104,9 +104,12 @@ def read_whole(source: Source) -> ET.Element:
 
 def parsed(file: Path) -> ET.Element:
     """The root element of a file; raises BadInput when it is not XML."""
+    contents = read_bytes(file)
     try:
-        return ET.fromstring(read_bytes(file))
-    except (ET.ParseError, UnicodeDecodeError, LookupError, ValueError) as error:
+        return ET.fromstring(contents)
+    except ET.ParseError as error:
+        raise BadInput([not_xml(file, contents, error.code, error.position[0])]) from None
+    except (UnicodeDecodeError, LookupError, ValueError) as error:
         raise BadInput([Problem(f"is not XML: {error}", str(file))]) from None
 
 

@@ -34,6 +34,8 @@ def test_elements_have_their_text_attributes_and_lines(tmp_path: Path) -> None:
         ("<?xml version='1.0' encoding='nonsense'?><a/>", 1, "is not XML"),
         ("<a>" * (MAX_DEPTH + 1), 1, f"at most {MAX_DEPTH} elements inside each other"),
         ("<a>" + "<b/>" * MAX_ELEMENTS + "</a>", 1, f"at most {MAX_ELEMENTS}"),
+        ("<a>\n<b>", 2, "the file ends too early"),
+        ("<a>\n<b c='", 2, "the file ends too early"),
     ],
 )
 def test_what_is_not_plain_elements_is_refused_with_its_line(

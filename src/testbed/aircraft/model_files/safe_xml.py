@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 from xml.parsers import expat
+from xml.parsers.expat import errors
 
 from testbed.inputs.problems import BadInput, Problem
 
@@ -86,6 +87,20 @@ def read_bytes(file: Path) -> bytes:
         raise BadInput([Problem(f"cannot be read: {error.strerror}", str(file))]) from None
 
 
+def not_xml(file: Path, contents: bytes, code: int, line: int) -> Problem:
+    """The problem of a file that expat cannot read: that it was cut off, or else what expat says."""
+    what = errors.messages[code]
+    if what in _CUT and b"<" in contents:
+        what = "the file ends too early"
+    return Problem(f"is not XML: {what}", str(file), line)
+
+
+_CUT = (
+    errors.XML_ERROR_NO_ELEMENTS, errors.XML_ERROR_UNCLOSED_TOKEN, errors.XML_ERROR_PARTIAL_CHAR,
+    errors.XML_ERROR_UNCLOSED_CDATA_SECTION,
+)  # fmt: skip
+
+
 class _Reader:
     """Builds the elements of one file from what the parser reports."""
 
@@ -103,8 +118,7 @@ class _Reader:
         try:
             self._parser.Parse(contents, True)
         except expat.ExpatError as error:
-            what = f"is not XML: {expat.ErrorString(error.code)}"
-            raise BadInput([Problem(what, str(self._file), error.lineno)]) from None
+            raise BadInput([not_xml(self._file, contents, error.code, error.lineno)]) from None
         except (LookupError, ValueError) as error:  # an encoding that Python does not have
             raise BadInput([Problem(f"is not XML: {error}", str(self._file), 1)]) from None
         assert self._root is not None  # else the parser has complained
