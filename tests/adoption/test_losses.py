@@ -2,7 +2,11 @@
 
 import math
 
+import pytest
+
 from testbed.adoption.adopt import Kept, losses
+from testbed.adoption.entry import adopted_card
+from testbed.adoption.source import find_source, package_root
 from testbed.aircraft.description import load_aircraft
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, trim
@@ -17,6 +21,13 @@ def test_the_v_tail_flies_level_without_any_one_actuator():
         assert each.trim is not None and each.trim.residual < 1e-6
         assert abs(each.trim.state["path_angle"]) < 1e-9
         assert "level flight at" in str(each)
+
+
+@pytest.mark.nightly
+def test_a_flight_of_which_the_engine_is_not_steady_to_the_last_digit_is_found(tmp_path):
+    """The elevator is lost near its middle: level flight, 0.3 m/s slower."""
+    said = adopted_card(find_source("c172p", package_root()), tmp_path / "c172p")
+    assert "without elevator: level flight at 40.26 m/s" in said
 
 
 def test_what_is_kept_in_words():

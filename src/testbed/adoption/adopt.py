@@ -272,7 +272,8 @@ def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
     """Steady flight: level at the reference airspeed if there is one, else at another, else with any path.
 
     A search that finds none takes longest. So the one with most freedom is made early: where it finds none, no other would; and
-    where it finds one, the others begin there. What is found roughly is then found to the last digit.
+    where it finds one, the others begin there. What is found roughly is then found to the last digit, if engines
+    become steady enough for that.
     """
     plant, at = Plant(aircraft, _HZ), aircraft.reference
     actuators = list(aircraft.actuators.values())
@@ -298,7 +299,7 @@ def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
         return None
     path = ("path_angle",) if found.state["path_angle"] else ()
     speed = ("airspeed",) if path or found.state["airspeed"] != at.airspeed_m_s else ()
-    return steady((*_LEVEL, *speed, *path), Search(found, thorough=False))
+    return steady((*_LEVEL, *speed, *path), Search(found, thorough=False)) or found
 
 
 def _usable(found: Trim) -> bool:
