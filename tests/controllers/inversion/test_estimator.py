@@ -12,11 +12,13 @@ from vtail_setup import state
 from testbed.controllers.inversion.estimator import (
     JAM_NOISE,
     JAM_VARIANCE,
+    LATENESS_MAX,
     RESIDUAL_TIME_S,
     REVERSAL_NOISE,
     REVERSAL_S,
     UNKNOWN_VARIANCE,
     adapt_weighted,
+    delay_regressor,
     expect_change,
     predict,
     project,
@@ -24,8 +26,8 @@ from testbed.controllers.inversion.estimator import (
     update_by_rate,
     update_model_error_variance,
 )
-from testbed.controllers.inversion.law import regressor
-from testbed.controllers.records import U_DOT, memory_dtype, model_dtype, settings_dtype
+from testbed.controllers.inversion.law import low_pass, regressor
+from testbed.controllers.records import Q_DOT, U_DOT, memory_dtype, model_dtype, settings_dtype, work_dtype
 
 N = 4
 RNG = np.random.default_rng(4)
@@ -252,3 +254,21 @@ def test_the_variance_of_a_change_is_its_square_up_to_a_bound() -> None:
     expect_change(np.array([0.0, 1e6, 0.0, 0.0]), phi, m, c, s)
     assert s.P[1, 1] == UNKNOWN_VARIANCE
     assert s.P[0, 0] == s.P[2, 2] == 0.01
+
+
+@pytest.mark.parametrize("late", [0.5, LATENESS_MAX])
+def test_the_effect_of_a_late_actuator_that_is_thrown_over_never_goes_the_wrong_way(late: float) -> None:
+    """It follows late, and as far: a filter that first goes the other way makes a healthy elevator look reversed."""
+    c, _, s = records()
+    c.filter_rate, s.late[0] = 20.0, late
+    w, phi, effects = np.zeros(1, work_dtype(N))[0], np.zeros((4, N)), [0.0]
+    for _ in range(400):
+        phi[:] = 0.0
+        phi[Q_DOT, 0] = 1.0
+        for row in range(4):
+            low_pass(phi[row], s.filtered_phi[:, row], c.filter_rate * c.dt)
+        delay_regressor(phi, c, s, w)
+        effects.append(float(phi[Q_DOT, 0]))
+    assert np.all(np.diff(effects) >= 0.0) and effects[-1] == pytest.approx(1.0, abs=0.01)
+    behind = sum(1.0 - effect for effect in effects) * c.dt  # area before a step response is its delay
+    assert behind == pytest.approx((2.0 + late) / c.filter_rate, rel=0.05)  # of steps of 5 ms

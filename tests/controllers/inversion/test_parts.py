@@ -19,7 +19,7 @@ FLIGHTS = {
     ),
     "offset_test": (
         "jammed_ruddervator.yaml",
-        f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 12}}]",
+        f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 10}}]",
         "duration_s=8",
         "commands=[]",
     ),

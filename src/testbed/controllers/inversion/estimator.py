@@ -46,8 +46,7 @@ REVERSAL_NOISE = 5.0
 With the noise of a jam the estimate was 0.2 s late."""
 
 LATENESS_MAX = 5.0
-"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown. There the all-pass already lacks phase at
-the frequency of the oscillations that a delay causes."""
+"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown."""
 LATENESS_MIN = 1e-3
 """Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 LATENESS_VARIANCE_MAX = 0.05
@@ -208,17 +207,16 @@ def forget_model_error(s):
 def delay_regressor(phi, c, s, w):
     """Delay the regressor Phi [4, n], the output of the second lag, by the estimated lateness of each actuator.
 
-    Lateness l is the delay in time constants 1/w_f of the regression's two equal lags, whose outputs are phi_1 and phi_2. Because
-    phi_2' = w_f (phi_1 - phi_2), the rate of phi_2 is known without differentiating. A delay l / w_f is approximated by the
-    all-pass with the same delay (Pade's approximation of first order),
+    Lateness l is one more lag, in time constants 1/w_f of the regression's two equal lags. Of their outputs, phi_1 and phi_2,
+    phi_2' = w_f (phi_1 - phi_2), so its rate is known without differentiating. With it
 
-        (1 - l s / 2 w_f) / (1 + l s / 2 w_f) = 1 - l (s / w_f) / (1 + l s / 2 w_f).
+        1 / (1 + l s / w_f) = 1 - l (s / w_f) / (1 + l s / w_f).
 
-    So the effect of a late actuator is phi_2 - l rho, where rho is phi_1 - phi_2 through a lag of l/2 time constants. An all-pass
-    leaves its size as it is at every frequency. The first term of the series alone, phi_2 - l (phi_1 - phi_2), grows with
-    frequency, and a late surface that oscillated seemed weak all the same.
+    So the effect of a late actuator is phi_2 - l rho, where rho is phi_1 - phi_2 through a lag of l time constants. A slow servo is
+    such a lag. A pure delay leaves the size as it is, and so would an all-pass (Pade). But that first goes the wrong way: an f16's
+    elevator that was thrown over looked reversed within 0.05 s.
     """
-    step = 2.0 * c.filter_rate * c.dt  # of a lag of l/2 time constants, times l
+    step = c.filter_rate * c.dt  # of a lag of l time constants, times l
     for j in range(len(s.late)):
         for i in range(4):
             w.rate[i] = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
