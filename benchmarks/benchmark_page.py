@@ -29,6 +29,7 @@ import yaml
 
 import testbed
 from testbed.api import benchmark
+from testbed.reporting.words import joined
 from testbed.studies.benchmark import scores
 from testbed.studies.folder import store
 from testbed.study_reports.benchmark import markdown
@@ -228,7 +229,8 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     )
     alone = summary["scores"][rival]["against_reference"]["held"]["only_first"]
     said = f"`{rival}` alone holds {alone} of {summary['draws']} draws."
-    words = f"{headline} {said} Only these two flew them, the first {first['draws']} of which are those above. {groups[2]}"
+    flew = joined([f"`{name}`" for name in summary["controllers"]])
+    words = f"{headline} {said} Only {flew} flew them, the first {first['draws']} of which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
     against = {name: of_all["scores"][name]["against_reference"] for name in others}
