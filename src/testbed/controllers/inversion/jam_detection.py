@@ -115,14 +115,6 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def wait(c, s):
-    """Let time pass for jammed actuators while no jam is looked for: their probes go on by it."""
-    for i in range(len(s.jammed)):
-        if s.jammed[i]:
-            s.since_flag[i] += c.dt
-
-
-@compiled
 def time_to_jam(i, pressure_ratio, m, c, s):
     """How long an actuator that `acts_reversed`, `has_force_of_its_own` or `keeps_thrust` must do so until it is taken for jammed
     [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough. The others

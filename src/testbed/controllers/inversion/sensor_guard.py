@@ -5,7 +5,7 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
 * sideslip as that of the mode's trim,
-* airspeed from the forward acceleration, and in the long run from its reference,
+* airspeed from the forward acceleration, and in the long run from the angle of attack at which its lift is the weight,
 * rates of rotation from the attitude.
 
 These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made
@@ -31,9 +31,11 @@ GYRO_REPEATS = 10
 surface at once."""
 LEAST_SHARE = 0.5
 """Airspeed is not believed where it is less than this share of what it was one step before."""
-RECALL_S = 20.0
-"""Time constant with which the airspeed that is integrated goes back to its reference [s]: an accelerometer's bias of 0.03 m/s2 is
-then 0.6 m/s."""
+RECALL_S = 10.0
+"""Time constant with which the airspeed that is integrated goes to that of the angle of attack [s]: an accelerometer's bias of
+0.1 m/s2 is then 1 m/s, and gusts across the flow, which change that angle, pass within about this."""
+LEAST_LIFT = 0.25
+"""Share of the weight that the angle of attack must carry at V_0, so that it tells the airspeed [1]."""
 ATTITUDE_RAD_S = 10.0
 """Corner of the lag on the rates that are differences of attitude [rad/s]."""
 UNSEEN_GUST = 0.76
@@ -44,12 +46,13 @@ wrap = compiled(angles.wrap)
 
 
 @compiled
-def guard(raw, ref, y, c, k, s):
+def guard(raw, ref, y, m, c, k, s):
     """Replace what a copy y of the raw state has from stuck sensors; returns 1 when one is taken for stuck, or lives again."""
     changed = watch(raw, c, s)
     attitude_rates(raw, c, s)
     if s.stuck[G_AIRSPEED] or raw.airspeed < LEAST_SHARE * s.inertial_airspeed:
-        s.inertial_airspeed += c.dt * (raw.u_dot + (ref.airspeed - s.inertial_airspeed) / RECALL_S)
+        known = ref.airspeed if s.stuck[G_ALPHA] else airspeed_by_lift(raw, ref, m)
+        s.inertial_airspeed += c.dt * (raw.u_dot + (known - s.inertial_airspeed) / RECALL_S)
         y.airspeed = s.inertial_airspeed
     else:
         s.inertial_airspeed = raw.airspeed
@@ -66,6 +69,17 @@ def guard(raw, ref, y, c, k, s):
     if s.stuck[G_R]:
         y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
     return changed
+
+
+@compiled
+def airspeed_by_lift(y, ref, m):
+    """Airspeed at which the lift of this angle of attack, linear in it, carries the weight in a level turn at this bank [m/s]; the
+    reference where the design model has no such lift."""
+    weight_angle = m.alpha - m.zero_lift_alpha  # of the lift that is the weight at V_0
+    if math.isinf(weight_angle):
+        return ref.airspeed
+    lift = max((y.alpha - m.zero_lift_alpha) / weight_angle, LEAST_LIFT) * max(math.cos(y.roll), 0.5)
+    return m.airspeed / math.sqrt(lift)
 
 
 @compiled

@@ -17,7 +17,7 @@ from testbed.controllers.inversion.estimator import (
     expect_change,
     update_model_error_variance,
 )
-from testbed.controllers.inversion.jam_detection import detect_jam, wait
+from testbed.controllers.inversion.jam_detection import detect_jam
 from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
@@ -55,7 +55,7 @@ def adaptive_step(step, parts):
     if c.guards:
         believed[0] = y
         y = believed[0]
-        changed = guard(states[step], ref, y, c, k, s)
+        changed = guard(states[step], ref, y, m, c, k, s)
         write_guard(telemetry[step], s)
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
@@ -91,9 +91,6 @@ def estimate(y, ref, m, c, s, w):
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
     if not c.tests_jams:
-        return 0
-    if vane_is_stuck(s):
-        wait(c, s)
         return 0
     if c.tests_swings and detect_swings(e, pressure_ratio, m, c, s):
         return 1
