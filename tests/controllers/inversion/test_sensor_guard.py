@@ -12,7 +12,13 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.signals import GUARDED, STATE, Belief, record_dtype
-from testbed.controllers.inversion.sensor_guard import GYRO_REPEATS, RECALL_S, REPEATS_S, airspeed_by_lift, guard
+from testbed.controllers.inversion.sensor_guard import (
+    GYRO_REPEATS,
+    RECALL_S,
+    REPEATS_S,
+    airspeed_by_lift,
+    guard,
+)
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -58,7 +64,9 @@ def test_a_stuck_pitot_tube_is_replaced_by_the_forward_acceleration() -> None:
     made = records_of(SETUP)
     seen(made, 0.5)
     y, _ = seen(made, 2.0 + REPEATS_S, "airspeed", u_dot=1.0)
-    assert y.airspeed - MODEL.airspeed_m_s == pytest.approx(RECALL_S * (1.0 - math.exp(-2.0 / RECALL_S)), abs=0.05)
+    assert y.airspeed - MODEL.airspeed_m_s == pytest.approx(
+        RECALL_S * (1.0 - math.exp(-2.0 / RECALL_S)), abs=0.05
+    )
 
 
 def test_a_slow_flight_is_seen_in_its_angle_of_attack() -> None:
