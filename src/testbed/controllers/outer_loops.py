@@ -79,8 +79,9 @@ def pid_loops(y, ref, m, c, k, s, f, nu):
 
     Not of the paper, and not in its preset, which has no `give_up_time`: altitude is given up for airspeed (`traded`), or a weak
     engine ends in a stall; airspeed is left to altitude where that has its energy (`left_to_thrust`); an aircraft that is so
-    slow that it gives up altitude asks for more than `u_dot_max`, which is as little as 0.15 m/s2 where thrust is scarce; and the
-    integral of altitude does not wind up. Fills nu [4] and `s.x_dc_dot` [4].
+    slow that it gives up altitude asks for more than `u_dot_max`, which is as little as 0.15 m/s2 where thrust is scarce; the
+    integral of altitude does not wind up; and pitch leads a flight path that follows it late, by `climb_kp` times the climb rate
+    that is missing. Fills nu [4] and `s.x_dc_dot` [4].
     """
     dt, v = c.dt, max(y.airspeed, 1.0)
     fast, high, too_slow = y.airspeed - ref.airspeed, y.altitude - ref.altitude, 0.0

@@ -205,14 +205,15 @@ def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -
     assert not s.jammed[1], "gusts drive the estimate of a surface at its trim position to its limits"
 
 
-def test_what_no_longer_acts_reversed_is_given_up_as_lost() -> None:
-    """Once that is sure, by three standard deviations; its flag stays until the monitor finds that it works."""
+def test_what_no_longer_acts_reversed_works() -> None:
+    """Once that is sure, by three standard deviations."""
     m, c, _, s, _ = records()
     s.failed[1], s.reversed[1], s.lambda_hat[1] = 1, 1, 0.1
     for sigma, changed in ((0.21, 0), (0.19, 1)):
         s.P[1, 1] = sigma**2
         assert detect_jam(np.zeros(4), 1.0, m, c, s) == changed
-        assert (s.failed[1], s.reversed[1], s.jammed[1]) == (1, 1 - changed, 0)
+        assert (s.failed[1], s.reversed[1], s.jammed[1]) == (1 - changed, 1 - changed, 0)
+    assert s.lambda_hat[1] == 1.0
 
 
 def test_a_jam_leaves_the_flag_of_a_reversed_actuator() -> None:

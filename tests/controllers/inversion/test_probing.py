@@ -25,12 +25,12 @@ from testbed.simulation import fly
 
 
 def given_up(i: int, jammed: bool) -> Records:
-    """Actuator i has been given up, and stands at its trim position."""
+    """Actuator i has been given up, and stands at its trim position; the flight has departed."""
     made = records_of(vtail_setup(WEATHER))
     m, _, _, s, _ = made
     s.position[:], s.lambda_hat[:] = m.trim_position, 1.0
     s.failed[i], s.jammed[i], s.since_flag[i] = 1, jammed, 0.9 * REVERSAL_S
-    s.lambda_hat[i] = m.trim_position[i] if jammed else 0.0
+    s.lambda_hat[i], s.departed = m.trim_position[i] if jammed else 0.0, 1
     return made
 
 
@@ -72,6 +72,9 @@ def test_a_surface_that_moves_against_its_probe_is_reversed(jammed: bool) -> Non
     made = given_up(1, jammed)
     if not jammed:
         made.s.lambda_hat[1] = -0.9
+    made.s.departed = 0
+    assert seconds_until_used(made, 1, -1.0) == math.inf  # a flight that goes on without it is left as it is
+    made.s.departed = 1
     assert seconds_until_used(made, 1, -1.0) < 4.0
     assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
 

@@ -45,8 +45,8 @@ REVERSAL_NOISE = 5.0
 """Process noise of a surface's position in that time [scaled/sqrt(s)]: what is reversed goes back with its command within 0.1 s.
 With the noise of a jam the estimate was 0.2 s late."""
 
-LATENESS_MAX = 5.0
-"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown."""
+LATENESS_MAX = 8.0
+"""Largest lateness [1/w_f], 0.4 s with the default filter: the largest that was flown."""
 LATENESS_MIN = 1e-3
 """Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 LATENESS_VARIANCE_MAX = 0.05

@@ -110,7 +110,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
             elif abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
                 changed = 1
         elif s.reversed[i] and no_longer_reversed(i, s):
-            s.reversed[i], s.since_flag[i], changed = 0, 0.0, 1
+            take_for_working(i, pressure_ratio, m, s)
+            changed = 1
     return changed
 
 
@@ -204,7 +205,7 @@ def turns_out_reversed(i, m, c, s):
 
 @compiled
 def take_for_reversed(i, pressure_ratio, m, s):
-    """Use a jammed actuator again, as a reversed one: its effectiveness is estimated from -1 on, and `law.divisor` keeps that
+    """Use an actuator that is given up, as a reversed one: its effectiveness is estimated from -1 on, and `law.divisor` keeps that
     sign. It stays flagged."""
     s.jammed[i], s.reversed[i] = 0, 1
     s.lambda_hat[i] = -1.0
@@ -214,9 +215,17 @@ def take_for_reversed(i, pressure_ratio, m, s):
 
 @compiled
 def no_longer_reversed(i, s):
-    """Whether the estimate of an actuator that is used with the opposite sign is above `REVERSED_BELOW` beyond doubt. It is given
-    up as lost then, until `monitor` finds that it works."""
+    """Whether the estimate of an actuator that is used with the opposite sign is above `REVERSED_BELOW` beyond doubt."""
     return s.lambda_hat[i] - REVERSED_SIGMA * deviation(i, s) > REVERSED_BELOW
+
+
+@compiled
+def take_for_working(i, pressure_ratio, m, s):
+    """Use an actuator that was reversed as one that works: what was taken back was most likely all of it. Should it be lost,
+    `monitor` says so."""
+    s.reversed[i], s.failed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
+    s.lambda_hat[i], s.lambda_slow[i] = 1.0, 1.0
+    reset_covariance(i, HEALTHY_VARIANCE, s)
 
 
 @compiled
