@@ -46,7 +46,7 @@ REVERSAL_NOISE = 5.0
 With the noise of a jam the estimate was 0.2 s late."""
 
 LATENESS_MAX = 8.0
-"""Largest lateness [1/w_f], 0.4 s with the default filter: the largest that was flown."""
+"""Largest lateness [1/w_f], 0.4 s with the default filter: the longest delay that the suite `open` draws."""
 LATENESS_MIN = 1e-3
 """Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 LATENESS_VARIANCE_MAX = 0.05

@@ -110,7 +110,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
             elif abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
                 changed = 1
         elif s.reversed[i] and no_longer_reversed(i, s):
-            take_for_working(i, pressure_ratio, m, s)
+            take_for_working(i, 1.0, HEALTHY_VARIANCE, s)  # most likely all of its effect has come back
             changed = 1
     return changed
 
@@ -220,12 +220,12 @@ def no_longer_reversed(i, s):
 
 
 @compiled
-def take_for_working(i, pressure_ratio, m, s):
-    """Use an actuator that was reversed as one that works: what was taken back was most likely all of it. Should it be lost,
-    `monitor` says so."""
-    s.reversed[i], s.failed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
-    s.lambda_hat[i], s.lambda_slow[i] = 1.0, 1.0
-    reset_covariance(i, HEALTHY_VARIANCE, s)
+def take_for_working(i, effectiveness, variance, s):
+    """Use an actuator as one that works, with this effectiveness [1] and its variance. Should it be lost, `monitor` says so."""
+    s.failed[i], s.jammed[i], s.reversed[i], s.early[i] = 0, 0, 0, 0
+    s.flag_timer[i], s.since_flag[i] = 0.0, 0.0
+    s.lambda_hat[i], s.lambda_slow[i] = effectiveness, effectiveness
+    reset_covariance(i, variance, s)
 
 
 @compiled

@@ -15,8 +15,12 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S, reset_covariance
-from testbed.controllers.inversion.jam_detection import settle_regression, take_for_reversed
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
+from testbed.controllers.inversion.jam_detection import (
+    settle_regression,
+    take_for_reversed,
+    take_for_working,
+)
 from testbed.controllers.inversion.law import effect_ratio
 from testbed.controllers.inversion.loss_detection import STANDING_SIGMA
 from testbed.controllers.inversion.offset_detection import deviation
@@ -151,9 +155,6 @@ def use_again(i, gain, pressure_ratio, m, s):
         for row in range(4):
             s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
         s.offset[i] = offset if m.servo[i] and abs(offset) > OFFSET_MIN else 0.0
-    s.failed[i], s.jammed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
-    s.lambda_hat[i] = min(gain, 1.0)
-    s.lambda_slow[i] = s.lambda_hat[i]
-    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
+    take_for_working(i, min(gain, 1.0), 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
     s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0

@@ -5,11 +5,11 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
 * sideslip as that of the mode's trim,
-* airspeed from the forward acceleration, and in the long run from the angle of attack at which its lift is the weight,
+* airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight,
 * rates of rotation from the attitude.
 
 These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made
-up for, and no jam is looked for: gusts would be taken for forces.
+up for.
 
 Letters: those of `records`; raw is the measured state, and y the one that is believed.
 """
@@ -32,10 +32,10 @@ surface at once."""
 LEAST_SHARE = 0.5
 """Airspeed is not believed where it is less than this share of what it was one step before."""
 RECALL_S = 10.0
-"""Time constant with which the airspeed that is integrated goes to that of the angle of attack [s]: an accelerometer's bias of
-0.1 m/s2 is then 1 m/s, and gusts across the flow, which change that angle, pass within about this."""
+"""Time constant with which the integrated airspeed goes to `airspeed_by_lift` [s]: an accelerometer's bias of 0.1 m/s2 is then
+1 m/s. Gusts across the flow, which change the angle of attack, last about as long."""
 LEAST_LIFT = 0.25
-"""Share of the weight that the angle of attack must carry at V_0, so that it tells the airspeed [1]."""
+"""Least lift at V_0 from which airspeed is computed [weights]: less would be more than twice V_0."""
 ATTITUDE_RAD_S = 10.0
 """Corner of the lag on the rates that are differences of attitude [rad/s]."""
 UNSEEN_GUST = 0.76
