@@ -8,6 +8,7 @@ import pytest
 from command_line import ROOT
 from short_flights import worst_errors
 
+import testbed
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -181,3 +182,24 @@ def test_a_climb_is_flown_where_there_is_no_level_trim_and_the_reason_is_said() 
 def test_a_healthy_surface_is_never_taken_for_jammed() -> None:
     flight = fly(load_scenario(SCENARIO, ["failures=[]", "requirements=[]", "duration_s=20"]))
     assert not [event for event in flight.events if event["kind"] in ("diagnosis", "false_alarm")]
+
+
+@pytest.mark.parametrize(("to", "seed"), [("max", 1), ("min", 2)])
+def test_a_rudder_that_runs_to_its_stop_turns_nobody_round(to: str, seed: int) -> None:
+    """Inversion held the sideslip, commanded the rudder to where it was and took it for working until 55 s. At its
+    stop no trim balances it within those of the others: a regulator about a trim without it lost heading, and the aircraft."""
+    at = {"altitude_m": 300.0, "airspeed_m_s": 26.0, "heading_deg": 90.0}
+    changes = {
+        "aircraft": "aerosonde", "initial": at, "commands": [{"at_s": 0, **at}], "requirements": [],
+        "failures": [{"type": "runaway", "actuator": "rudder", "at_s": 5, "to": to, "rate": 1.1}],
+        "controller": {"type": "adaptive_inversion"}, "sensors": {"model": "mems"}, "duration_s": 60,
+        "atmosphere": {"turbulence_w20_m_s": 3.0}, "seed": seed,
+    }  # fmt: skip
+    flight = testbed.fly(SCENARIO, set=changes)
+    log = flight.log
+    missed = (log.heading_deg - log.heading_command_deg + 180.0) % 360.0 - 180.0
+    assert log.time_s.iloc[-1] == pytest.approx(60.0, abs=0.1)
+    assert missed.abs().max() < 25.0
+    assert (log.altitude_m - log.altitude_command_m).abs().max() < 20.0
+    flagged = log.time_s[log.rudder_failed > 0]
+    assert flagged.iloc[0] < 20.0

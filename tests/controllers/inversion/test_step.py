@@ -12,7 +12,8 @@ from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemet
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.step import adaptive_step, command_step, estimate
+from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S
+from testbed.controllers.inversion.step import adaptive_step, add_model_error, command_step, estimate
 from testbed.controllers.records import REGULATOR_STATE, work_dtype
 from testbed.controllers.setup import Setup
 
@@ -94,3 +95,21 @@ def test_without_adaptation_nothing_is_estimated() -> None:
     parts[4][0].adapts = 0
     assert not any(adaptive_step(0, parts) for _ in range(300))
     assert parts[6][0].lambda_hat.tolist() == [1.0] * 4
+
+
+def test_of_the_rotations_the_model_error_beyond_gusts_is_inverted() -> None:
+    """Less the force of an offset, which commands make up for; all of it in `u_dot`, and while a vane is stuck."""
+    parts = parts_of(WEIGHTED)
+    m, c, s = parts[3][0], parts[4][0], parts[6][0]
+    gusts = BEYOND_SIGMAS * c.noise[:3] / np.sqrt(2.0 * GUST_S)
+    s.shift[0] = 0.5
+    force = m.B[:4, 0] * s.shift[0]
+    for error in (-3.0, -0.5, 0.5, 3.0):
+        s.b[:] = np.array([*(error * gusts), 0.2]) + force
+        f = np.zeros(4)
+        add_model_error(f, 1.0, m, c, s)
+        assert f == pytest.approx([*(np.sign(error) * max(abs(error) - 1.0, 0.0) * gusts), 0.2])
+    s.stuck[0] = 1
+    f = np.zeros(4)
+    add_model_error(f, 1.0, m, c, s)
+    assert f == pytest.approx([*(3.0 * gusts), 0.2])

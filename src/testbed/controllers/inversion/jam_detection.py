@@ -35,7 +35,8 @@ from testbed.controllers.inversion.offset_detection import (
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
 REVERSED_BELOW = -0.5
-"""An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
+"""An estimate below this with a small standard deviation means that the actuator is jammed or reversed, not that it lost
+effectiveness."""
 REVERSED_SIGMA, REVERSED_S = 3.0, 0.02
 """On an aircraft that is unstable in pitch, an estimate that is so many standard deviations below zero for so long [s] means the
 same: such an aircraft is beyond the stall before the standard deviation is small."""
@@ -238,7 +239,7 @@ def has_force_of_its_own(i, c, s):
 
 @compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
-    """Whether a motor or engine that was flagged at a high throttle gives thrust at its trim throttle, though less than one that
+    """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that
     works again: its thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False

@@ -19,6 +19,14 @@ from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
+_SHARES = (
+    1.0,
+    0.9,
+    0.8,
+    0.7,
+    0.6,
+    0.5,
+)  # of the force of what is jammed, for which a trim is looked for, one after the other
 
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _SWINGS = "its force swings while its command stands still: not lost, used again"
@@ -163,11 +171,17 @@ class ModeSwitch:
                 self._report(step, f"{names[i]}: {text}")
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""
-        try:
-            return regulator_for(self._setup, mode, jammed)
-        except NoSteadyFlight:
-            return regulator_for(self._setup, mode, {})
+        """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed for the largest of `_SHARES` of
+        them that has one."""
+        for share in _SHARES:
+            try:
+                return regulator_for(
+                    self._setup, mode, {i: share * position for i, position in jammed.items()}
+                )
+            except NoSteadyFlight:
+                if not jammed:
+                    raise
+        return regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         s = self._memory[0]

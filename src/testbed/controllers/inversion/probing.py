@@ -37,7 +37,7 @@ out. One that acts 0.3 s late has a gain of -0.2 at 6 rad/s, and of -0.9 at 9 ra
 ENGINE_SLOWER = 4.0
 """How many times slower the sine of an engine is, and how many times longer its memory: it follows its throttle slowly [1]."""
 AT_LEAST_RAD = 3.0 * math.pi
-"""Phase of the sine before which nothing is decided [rad]: within the first turn a drift looks like a gain."""
+"""Phase of the sine before which nothing is decided [rad]: within the first turn and a half a drift looks like a gain."""
 LARGEST_CHANGE = 10.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
 is a larger one."""

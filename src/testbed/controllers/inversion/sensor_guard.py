@@ -1,11 +1,12 @@
 """Stuck sensors: a reading that repeats itself exactly is not believed, and what the others say takes its place.
 
 Noise and turbulence change the last digits of every reading that lives. Of a vane or the pitot tube that has not changed for
-`REPEATS_S`, or a gyro for `GYRO_REPEATS`, and of a pitot tube that reads next to nothing at once, the law takes
+`REPEATS_S`, or a gyro for `GYRO_REPEATS`, and of a pitot tube whose reading halves in one step, the law takes
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
 * sideslip as that of the mode's trim,
-* airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight,
+* airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight; the reference,
+  where that angle is not known either,
 * rates of rotation from the attitude.
 
 These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made

@@ -6,6 +6,8 @@ Letters: those of `records`.
 
 from __future__ import annotations
 
+import math
+
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_diagnosis, write_guard, write_telemetry
@@ -29,11 +31,11 @@ from testbed.controllers.inversion.law import (
     state_function,
 )
 from testbed.controllers.inversion.loss_detection import has_departed, is_steady, monitor
-from testbed.controllers.inversion.offset_detection import keep_offsets
+from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S, keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
-from testbed.controllers.outer_loops import virtual_control
+from testbed.controllers.outer_loops import clip, virtual_control
 from testbed.controllers.records import U_DOT
 
 
@@ -121,25 +123,30 @@ def command_step(step, parts):
 
 
 @compiled
-def add_model_error(f, pressure_ratio, m, s):
-    """Add the estimated model error b to f_m [4]: of u_dot always, of the rotations while a vane is stuck. A regulator
-    does not invert f_m: with it this changes nothing.
+def add_model_error(f, pressure_ratio, m, c, s):
+    """Add the estimated model error b to f_m [4], less the force of offsets, for which commands make up already by their `shift`.
+    A regulator does not invert f_m: with it this changes nothing.
 
-    The outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim, and then airspeed
-    would run away. Those of rotation may ask for more, and gusts, which their b follows too, are better left to them. The force of
-    an offset is in b as well (`keep_offsets`), and commands make up for it already by its `shift`: it is left out.
+    Of `u_dot` all of b: the outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim,
+    and then airspeed would run away. Of the rotations what is beyond `BEYOND_SIGMAS` deviations of what gusts leave of b, which is
+    better left to the outer loops; all of it while a vane is stuck, since it is then also what gusts do that are not measured.
+
+    Without it the inversion holds a sideslip for ever: it cancels a restoring moment of the model that a jammed rudder, say,
+    balances, and commands the rudder to where it is jammed. So it seems to work, and heading is lost.
     """
     for i in range(4):
-        if i == U_DOT or vane_is_stuck(s):  # then it is also what gusts do that are not measured
-            f[i] += s.b[i]
-            for j in range(len(s.shift)):
-                f[i] -= m.B[i, j] * effect_ratio(j, pressure_ratio, m) * s.shift[j]
+        error = s.b[i]
+        for j in range(len(s.shift)):
+            error -= m.B[i, j] * effect_ratio(j, pressure_ratio, m) * s.shift[j]
+        if i != U_DOT and not vane_is_stuck(s):
+            error -= clip(error, BEYOND_SIGMAS * c.noise[i] / math.sqrt(2.0 * GUST_S))
+        f[i] += error
 
 
 @compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
-    add_model_error(w.f, pressure_ratio_of(y, m), m, s)
+    add_model_error(w.f, pressure_ratio_of(y, m), m, c, s)
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
