@@ -123,7 +123,7 @@ def test_a_block_is_replaced_and_nothing_else() -> None:
 
 def test_what_parts_bring_is_kept_with_the_law_that_flew_them() -> None:
     table = "## What the parts of `default` bring\n\n| a | b |\n\nOf the first 400 draws"
-    page = f"seed 7, 400 draws. The seed is made from the law's digest `0abc` and a word.\n\n{table}.\n\n## More\n"
+    page = f"seed 7, 400 draws. The seed is made from the controllers' digest `0abc` and a word.\n\n{table}.\n\n## More\n"
     assert benchmark_page.kept(page, "0abcdef") == ["", f"{table}."]
     old = f"{table}, seed 7, flown with another law, `0abc`."
     assert benchmark_page.kept(page, "1abcdef") == ["", old]

@@ -314,7 +314,7 @@ def _flown(summary: Summary) -> str:
     if summary.get("word"):
         digest = summary["law_sha256"]
         law = f"digest `{digest[:16]}`" if digest else "digest, which was not recorded,"
-        said += f" The seed is made from the law's {law} and the word `{summary['word']}`."
+        said += f" The seed is made from the controllers' {law} and the word `{summary['word']}`."
     return said
 
 
