@@ -31,6 +31,7 @@ class Drawing(Settings):
     colour: Literal["red", "green"] = "red"
     copies: Whole = 1
     names: tuple[Text, ...] = Field(default=("x",), min_length=1)
+    owner: None = None
 
 
 def issue(**tree: Any) -> Issue:
@@ -42,12 +43,13 @@ def issue(**tree: Any) -> Issue:
 
 CASES = [
     ({"colours": 1}, ("colours",), "unknown key", "", "colour"),
-    ({"zzz": 1}, ("zzz",), "unknown key", "one of shapes, by_name, corner, colour, copies, names", ""),
+    ({"zzz": 1}, ("zzz",), "unknown key", "one of shapes, by_name, corner, colour, copies, names, owner", ""),
     ({"colour": "gren"}, ("colour",), "'gren' is not known", "", "green"),
     ({"colour": 3}, ("colour",), "3 is not known", "one of red, green", ""),
     ({"copies": 1.5}, ("copies",), "is 1.5", "a whole number", ""),
     ({"copies": -1}, ("copies",), "is -1", "greater than or equal to 0", ""),
     ({"copies": None}, ("copies",), "is empty", "a whole number", ""),
+    ({"owner": "me"}, ("owner",), "is 'me'", "no such key here", ""),
     ({"corner": 3}, ("corner",), "is 3", "a list", ""),
     ({"corner": [1]}, ("corner", 1), "is missing", "", ""),
     ({"names": []}, ("names",), "has 0 entries", "at least 1", ""),

@@ -153,6 +153,7 @@ _WORDS = {
     "a valid integer": "a whole number",
     "a valid number": "a number",
     "a valid string": "text",
+    "None": "no such key here",
 }
 """What pydantic expects, in words that need no Python."""
 _OPEN = {"failures", "faults"}

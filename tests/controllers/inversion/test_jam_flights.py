@@ -201,5 +201,8 @@ def test_a_rudder_that_runs_to_its_stop_turns_nobody_round(to: str, seed: int) -
     assert log.time_s.iloc[-1] == pytest.approx(60.0, abs=0.1)
     assert missed.abs().max() < 25.0
     assert (log.altitude_m - log.altitude_command_m).abs().max() < 20.0
-    flagged = log.time_s[log.rudder_failed > 0]
-    assert flagged.iloc[0] < 20.0
+    assert log.time_s[log.rudder_failed > 0].iloc[0] < 20.0
+    said = [event.get("text", "") for event in flight.summary["events"]]
+    assert to == "min" or any(
+        "no trim balances the jam; flies by that of 90 % of its force" in text for text in said
+    )

@@ -239,8 +239,8 @@ def has_force_of_its_own(i, c, s):
 
 @compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
-    """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that
-    works again: its thrust has not followed its command down."""
+    """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
+    thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
     thrust, sigma = thrust_given(i, pressure_ratio, m, s)

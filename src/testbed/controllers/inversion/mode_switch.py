@@ -26,7 +26,7 @@ _SHARES = (
     0.7,
     0.6,
     0.5,
-)  # of the force of what is jammed, for which a trim is looked for, one after the other
+)  # of the jammed actuators' positions, for which a trim is looked for in turn
 
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _SWINGS = "its force swings while its command stands still: not lost, used again"
@@ -73,7 +73,7 @@ class ModeSwitch:
             what = f"{setup.aircraft} cannot be flown by inversion: {self.mode.refused}"
             raise BadInput([Problem(what, path="controller", expected=expected)])
         try:
-            regulator = self._regulator(self.mode, {}) if self.mode.released else None
+            regulator = regulator_for(setup, self.mode, {}) if self.mode.released else None
         except NoSteadyFlight as reason:
             what = f"{setup.aircraft} cannot be flown with these axes released: {reason}"
             raise BadInput(
@@ -106,7 +106,7 @@ class ModeSwitch:
         if mode.refused:
             return self._report(step, mode.refused)
         try:
-            regulator = self._regulator(mode, jammed) if mode.released else None
+            regulator = self._regulator(step, mode, jammed) if mode.released else None
         except NoSteadyFlight as reason:
             self._report(step, str(reason))
             if self._setup.released or len(failed) > len(self._setup.actuators) - 2:
@@ -170,17 +170,21 @@ class ModeSwitch:
             for i in actuators:
                 self._report(step, f"{names[i]}: {text}")
 
-    def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+    def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed for the largest of `_SHARES` of
-        them that has one."""
+        them that has one; where none has, without them."""
         for share in _SHARES:
+            part = {i: share * position for i, position in jammed.items()}
             try:
-                return regulator_for(
-                    self._setup, mode, {i: share * position for i, position in jammed.items()}
-                )
+                regulator = regulator_for(self._setup, mode, part)
             except NoSteadyFlight:
-                if not jammed:
-                    raise
+                continue
+            if share < 1.0:
+                text = f"no trim balances the jam; flies by that of {100 * share:.0f} % of its force"
+                self._report(
+                    step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed)
+                )
+            return regulator
         return regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
