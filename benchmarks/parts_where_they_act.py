@@ -33,7 +33,6 @@ KINDS: dict[str, tuple[str, Callable[[Entry], bool]]] = {
     "jams": ("jam_test", _of("jammed near trim", "jammed far from trim", "floats")),
     "reversed": ("jam_test", _of("reversed")),
     "offsets": ("offset_test", _of("offset")),
-    "swings": ("swing_test", _of("swings")),
     "late": ("lateness", lambda entry: entry["type"] in ("lag", "delay")),
     "thrust": ("speed_rule", _thrust),
     "recoveries": ("probing", _of("lost", "jammed near trim", "jammed far from trim", "floats")),

@@ -60,7 +60,6 @@ KNOWN = [
     ({"failed": 1, "jammed": 1, "lambda_hat": 2.5}, Belief.held),
     ({"failed": 1, "reversed": 1, "lambda_hat": -1.0}, Belief.reversed),
     ({"offset": 0.4}, Belief.offset),
-    ({"own_noise": 2.0}, Belief.swings),
     ({"late": 2.0, "late_variance": 0.01}, Belief.late),
     ({"late": 0.2, "late_variance": 0.01}, Belief.works),  # 2 standard deviations
 ]

@@ -88,9 +88,7 @@ def test_settings_of_the_papers_law_alone_choose_it(given: dict[str, object]) ->
     assert inversion(**given) == inversion(preset="paper", **given)
 
 
-@pytest.mark.parametrize(
-    "name", ["estimate", "monitor", "model_error", "speed_rule", "jam_test", "swing_test"]
-)
+@pytest.mark.parametrize("name", ["estimate", "monitor", "model_error", "speed_rule", "jam_test"])
 def test_parts_can_be_switched_off(name: str) -> None:
     assert inversion(ablate=[name]).ablate == (name,)
     with pytest.raises(ValidationError):

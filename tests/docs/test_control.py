@@ -16,7 +16,6 @@ from testbed.controllers.inversion import (
     offset_detection,
     probing,
     sensor_guard,
-    swing_detection,
 )
 
 PAGE = " ".join((ROOT / "docs" / "explanation" / "control.md").read_text(encoding="utf-8").split())
@@ -64,9 +63,6 @@ SENTENCES = [
     f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
     f"so that the path follows within {scaling.PATH_LAG_S:g} s",
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
-    f"After {NUMBER[swing_detection.TURNS]} turns it is used again",
-    f"averaged over {swing_detection.FORCE_TIME_S:g} s",
-    f"within {swing_detection.SLOWEST_S:g} s of the turn before",
     f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",
     f"Margin beyond {mode_trim._MARGIN_ENOUGH:g} does not count",
     f"If no level trim has a margin of {mode_trim._MARGIN_OF_LEVEL_FLIGHT:g}",

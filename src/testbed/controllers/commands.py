@@ -15,7 +15,7 @@ from testbed.controllers.inversion.offset_detection import is_late
 
 # Compiled functions take the codes as plain numbers.
 WORKS, DOUBTED, LOST, HELD = map(int, (Belief.works, Belief.doubted, Belief.lost, Belief.held))
-REVERSED, OFFSET, SWINGS, LATE = map(int, (Belief.reversed, Belief.offset, Belief.swings, Belief.late))
+REVERSED, OFFSET, LATE = map(int, (Belief.reversed, Belief.offset, Belief.late))
 
 
 @compiled
@@ -59,8 +59,6 @@ def belief(i, c, s):
         return HELD
     if s.failed[i]:
         return LOST
-    if s.own_noise[i] > 0.0:
-        return SWINGS
     if s.offset[i] != 0.0:
         return OFFSET
     if s.moved[i] != 0.0 or (s.early[i] and s.lambda_hat[i] < c.recovery):

@@ -97,7 +97,6 @@ Part = Literal[
     "speed_rule",
     "jam_test",
     "offset_test",
-    "swing_test",
     "lateness",
     "actuator_model",
     "probing",
@@ -146,7 +145,7 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is neither estimated nor inverted),
     `speed_rule` (no other airspeed after a failure, no altitude given up for it), `jam_test` (no jam or reversal is looked for),
-    `offset_test` (an offset is taken for a jam), `swing_test` (nothing is found to oscillate by itself), `lateness` (actuators are
+    `offset_test` (an offset is taken for a jam), `lateness` (actuators are
     taken to act in time), `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the
     paper's (10)), `probing` (what is given up stands still at its trim position), `sensor_guard` (stuck sensors are believed)."""
 

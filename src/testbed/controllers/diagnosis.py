@@ -84,6 +84,6 @@ class DiagnosedController(CompiledController):
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early
         s.reversed[:] = d.reversed & self._records[1][0].uncompensated
-        s.offset[:], s.own_noise[:] = d.offset, d.own_noise  # for what is said alone
+        s.offset[:] = d.offset  # for what is said alone
         self._modes.switch(step, float(self._parts[0][step].airspeed))
         d.designed_position[:], d.failed[:], d.early[:] = s.designed_position, s.failed, s.early

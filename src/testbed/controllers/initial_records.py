@@ -43,6 +43,7 @@ def model_record(setup: Setup) -> np.ndarray:
     m.offset[:] = offsets[:, [kind == "motor" for kind in model.kinds]].sum(axis=1)
     m.bias[:] = np.array(model.bias)[:4] + offsets.sum(axis=1)
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
+    m.side_slope = model.derivatives[ROWS.index("v_dot")][COLUMNS.index("beta")]
     m.sideslip[:], m.gyroscopic[:] = model.sideslip[:4], model.gyroscopic
     linear = isinstance(setup.settings, AdaptiveInversionSettings) and setup.settings.preset == "paper"
     m.forward_curvature = 0.0 if linear else forward_curvature(model)
@@ -114,7 +115,6 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
     c.tests_jams = "jam_test" not in chosen.ablate
     c.tests_offsets = c.weighted and "offset_test" not in chosen.ablate
-    c.tests_swings = c.weighted and "swing_test" not in chosen.ablate
     c.probes = c.weighted and "probing" not in chosen.ablate
     c.guards = c.weighted and "sensor_guard" not in chosen.ablate
     c.ideal_actuators = "actuator_model" in chosen.ablate

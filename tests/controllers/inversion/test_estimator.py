@@ -18,6 +18,7 @@ from testbed.controllers.inversion.estimator import (
     REVERSAL_S,
     UNKNOWN_VARIANCE,
     adapt_weighted,
+    beyond_model,
     delay_regressor,
     expect_change,
     predict,
@@ -27,7 +28,15 @@ from testbed.controllers.inversion.estimator import (
     update_model_error_variance,
 )
 from testbed.controllers.inversion.law import low_pass, regressor
-from testbed.controllers.records import Q_DOT, U_DOT, memory_dtype, model_dtype, settings_dtype, work_dtype
+from testbed.controllers.records import (
+    D_ALPHA,
+    Q_DOT,
+    U_DOT,
+    memory_dtype,
+    model_dtype,
+    settings_dtype,
+    work_dtype,
+)
 
 N = 4
 RNG = np.random.default_rng(4)
@@ -45,7 +54,7 @@ def records() -> tuple[Any, Any, Any]:
     c.dt, c.process_noise, c.model_error_rate = 0.005, 0.1, 0.1
     c.lambda_min, c.lambda_max = -10.0, 10.0
     c.noise[:] = [2.0, 0.5, 0.15, 0.08]
-    m.low[:], m.high[:] = -3.0, 3.0
+    m.low[:], m.high[:], m.stall_alpha = -3.0, 3.0, 1.0
     s.lambda_hat[:], s.since_flag[:] = 1.0, math.inf
     s.P[:N, :N] = 0.01 * np.eye(N)
     s.model_error_variance[:] = [0.3, 0.4, 0.4, 0.05]
@@ -195,6 +204,25 @@ def test_model_error_variance_of_forward_acceleration_rises_at_once() -> None:
     assert np.allclose(s.model_error_variance[:U_DOT], 0.01 + c.dt / RESIDUAL_TIME_S * (final - 0.01))
     update_model_error_variance(near, 1.0, phi, m, c, s)
     assert s.model_error_variance[U_DOT] == pytest.approx(final - c.dt / RESIDUAL_TIME_S * (final - 0.01))
+
+
+def test_where_f_is_no_model_it_may_be_wrong_by_all_that_it_has() -> None:
+    """Beyond the stall by the slope of what no longer grows, and of u_dot in a sideslip by the side force that leans forward."""
+    c, m, s = records()
+    m.airspeed, m.alpha, m.stall_alpha, m.side_slope, m.forward_curvature = 18.0, 0.05, 0.2, -16.0, 80.0
+    m.A[:, D_ALPHA] = 0.0, -60.0, 0.0, 12.0
+    phi = np.zeros((4, N))
+    for alpha, beta, expected in (
+        (0.19, 0.0, [0.0, 0.0, 0.0, 0.0]),
+        (0.25, 0.0, [0.0, 3.0, 0.0, 0.05 * (12.0 + 160.0 * 0.15)]),
+        (0.1, -0.5, [0.0, 0.0, 0.0, 4.0]),
+        (0.25, 0.5, [0.0, 3.0, 0.0, math.hypot(1.8, 4.0)]),
+    ):
+        y = state(airspeed=18.0, alpha=alpha, beta=beta)
+        assert [beyond_model(row, y, m) for row in range(4)] == pytest.approx(expected)
+        s.model_error_variance[:] = 0.0
+        update_model_error_variance(y, 0.5, phi, m, c, s)
+        assert s.model_error_variance[U_DOT] == pytest.approx((0.5 * expected[U_DOT]) ** 2)
 
 
 def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True) -> Any:

@@ -11,10 +11,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.signal import lfilter
-from vtail_setup import records_of, trim_state, vtail_setup
+from vtail_setup import WEATHER, records_of, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
     adapt,
+    beyond_tangent,
     compensate,
     invert,
     low_pass,
@@ -73,6 +74,14 @@ def test_f_has_the_effect_of_the_size_of_sideslip() -> None:
             state_function(y, m, w.f)
             found.append(w.f.copy())
         assert found[1] - found[0] == pytest.approx(np.multiply(0.4, sideslip[:4]))
+
+
+def test_forward_force_curves_with_lift_up_to_the_stall() -> None:
+    m = records_of(vtail_setup(WEATHER)).m
+    assert m.forward_curvature > 0.0
+    for alpha, counts in ((m.stall_alpha - 0.05, m.stall_alpha - 0.05), (m.stall_alpha + 0.1, m.stall_alpha)):
+        found = beyond_tangent(trim_state(MODEL, alpha=alpha), m)
+        assert found == pytest.approx(m.forward_curvature * (counts - m.alpha) ** 2)
 
 
 def test_a_jammed_actuator_has_the_column_of_one_unit() -> None:

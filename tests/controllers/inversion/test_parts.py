@@ -12,11 +12,6 @@ from testbed.scenario.load import load_scenario
 SCENARIOS = Path(__file__).parents[3] / "scenarios"
 TAIL = "actuator: left_ruddervator"
 FLIGHTS = {
-    "swing_test": (
-        "jammed_ruddervator.yaml",
-        f"failures=[{{type: oscillation, {TAIL}, at_s: 5, amplitude: 15, frequency_hz: 0.5}}]",
-        "duration_s=30",
-    ),
     "offset_test": (
         "jammed_ruddervator.yaml",
         f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 10}}]",
@@ -37,7 +32,6 @@ FLIGHTS = {
 @pytest.mark.parametrize(
     ("part", "with_it", "without"),
     [
-        ("swing_test", "swings while its command stands still", None),
         ("offset_test", "follows its command with an offset", "does not follow its command"),
         ("lateness", None, "does not follow its command"),
     ],

@@ -6,7 +6,7 @@
 * `law`: the paper's equations;
 * `estimator`: weighted estimation, Kalman filters, in place of the paper's (13), and for actuators that act late;
 * `loss_detection`: the paper's monitor, and what the default law asks beyond it;
-* `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
+* `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
 * `probing`: whether what is given up works again;
 * `allocation`: what to give up when an actuator reaches a stop.
 

@@ -16,6 +16,8 @@ Letters: those of `records`.
 
 from __future__ import annotations
 
+import math
+
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.law import beyond_tangent, low_pass
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
@@ -56,7 +58,7 @@ LATENESS_VARIANCE_MAX = 0.05
 @compiled
 def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     """Variance of the model error b in each rate, if the relative errors of the coefficients are independent, with standard
-    deviation `coefficient_error`.
+    deviation `coefficient_error`, and what is `beyond_model`.
 
     The model is most accurate at its own trim, so each term of f_m and of Phi lambda enters by its difference from the trim.
     The variance is at least `model_error_std`^2, and is averaged over `RESIDUAL_TIME_S`. That of `u_dot` rises at once: drag grows
@@ -75,11 +77,26 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
             change = phi[i, j] * s.lambda_hat[j] - pressure_ratio * m.B[i, j] * m.trim_position[j]
             squares += change * change
         floor = c.model_error_std[i] * c.model_error_std[i]
-        variance = floor + c.coefficient_error * c.coefficient_error * squares + unseen(i, m, s)
+        beyond = pressure_ratio * beyond_model(i, y, m)
+        variance = (
+            floor + c.coefficient_error * c.coefficient_error * squares + beyond * beyond + unseen(i, m, s)
+        )
         if i == U_DOT and variance > s.model_error_variance[i]:
             s.model_error_variance[i] = variance
         else:
             s.model_error_variance[i] += c.dt / RESIDUAL_TIME_S * (variance - s.model_error_variance[i])
+
+
+@compiled
+def beyond_model(row, y, m):
+    """What f_m may leave out of a rate where it is no model, at V_0 [x_c]: beyond the stall all that it has by lift that no longer
+    grows; and in u_dot the side force, which leans forward in a sideslip, or the drag by which some models make up for it."""
+    slope, side = m.A[row, D_ALPHA], 0.0
+    if row == U_DOT:
+        slope += 2.0 * m.forward_curvature * (m.stall_alpha - m.alpha)
+        side = m.side_slope * y.beta * y.beta
+    stalled = slope * max(y.alpha - m.stall_alpha, 0.0)
+    return math.hypot(stalled, side)
 
 
 @compiled

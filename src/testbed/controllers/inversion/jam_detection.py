@@ -84,8 +84,6 @@ def detect_jam(e, pressure_ratio, m, c, s):
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
-        if s.own_noise[i] > 0.0:  # it swings: its force is not that of its command, and it is no jam
-            continue
         still = time_to_stand_still(i, pressure_ratio, m, c, s)
         time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
@@ -286,7 +284,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     again at 1, and flags raised less than `RECENT_FLAG_S` ago are removed.
     """
     s.jammed[i], s.failed[i], s.moved[i] = 1, 1, 0.0
-    s.jam_timer[i], s.reversal_timer[i], s.offset[i], s.own_noise[i], s.shift[i] = 0.0, 0.0, 0.0, 0.0, 0.0
+    s.jam_timer[i], s.reversal_timer[i], s.offset[i], s.shift[i] = 0.0, 0.0, 0.0, 0.0
     for j in range(len(s.failed)):
         if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0

@@ -47,7 +47,7 @@ def effect_ratio(i, pressure_ratio, m):
 @compiled
 def beyond_tangent(y, m):
     """What u_dot has beyond its tangent at the trim, at the airspeed V_0 [m/s2] (`degraded_aircraft.forward_curvature`)."""
-    change = y.alpha - m.alpha
+    change = min(y.alpha, m.stall_alpha) - m.alpha  # beyond the stall lift no longer grows
     return m.forward_curvature * change * change
 
 

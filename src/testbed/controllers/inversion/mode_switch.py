@@ -19,17 +19,10 @@ from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
-_SHARES = (
-    1.0,
-    0.9,
-    0.8,
-    0.7,
-    0.6,
-    0.5,
-)  # of the jammed actuators' positions, for which a trim is looked for in turn
+_JAM_SHARES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+"""Of the jammed actuators' positions, for which a trim is looked for in turn."""
 
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
-_SWINGS = "its force swings while its command stands still: not lost, used again"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
     f"seems lost, but without it altitude cannot be held: used until it has seemed so for {CONFIRM_S:g} s "
@@ -162,7 +155,6 @@ class ModeSwitch:
         s, names = self._memory[0], self._setup.model.actuators
         diagnoses = (
             (jammed, _JAMMED),
-            (np.flatnonzero(s.own_noise > 0.0), _SWINGS),
             (np.flatnonzero(s.reversed), _REVERSED),
             (np.flatnonzero(s.offset), _OFFSET),
         )
@@ -171,21 +163,25 @@ class ModeSwitch:
                 self._report(step, f"{names[i]}: {text}")
 
     def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed for the largest of `_SHARES` of
-        them that has one; where none has, without them."""
-        for share in _SHARES:
-            part = {i: share * position for i, position in jammed.items()}
+        """The mode's regulator, for the largest of `_JAM_SHARES` of the jammed actuators' forces with which altitude can be held:
+        an aircraft that is not quite balanced strays less than one that climbs or sinks for the balance. Where altitude can be held
+        with none of them it is for the largest that has a trim, and where none has, without these forces."""
+        best, of = None, 0.0
+        for share in _JAM_SHARES if jammed else (0.0,):
             try:
-                regulator = regulator_for(self._setup, mode, part)
+                regulator = regulator_for(self._setup, mode, {i: share * x for i, x in jammed.items()})
             except NoSteadyFlight:
                 continue
-            if share < 1.0:
-                text = f"no trim balances the jam; flies by that of {100 * share:.0f} % of its force"
-                self._report(
-                    step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed)
-                )
-            return regulator
-        return regulator_for(self._setup, mode, {})
+            if best is None or _holds_altitude(regulator):
+                best, of = regulator, share
+            if _holds_altitude(regulator):
+                break
+        if best is None:
+            return regulator_for(self._setup, mode, {})
+        if jammed and of < 1.0:
+            text = f"no level trim balances the jam; flies by that of {100 * of:.0f} % of its force"
+            self._report(step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed))
+        return best
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         s = self._memory[0]

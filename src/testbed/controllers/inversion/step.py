@@ -34,7 +34,6 @@ from testbed.controllers.inversion.loss_detection import has_departed, is_steady
 from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S, keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
-from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import clip, virtual_control
 from testbed.controllers.records import U_DOT
 
@@ -82,7 +81,6 @@ def estimate(y, ref, m, c, s, w):
     if c.weighted:
         estimate_lateness(e, c, s)
         expect_change(e, phi, m, c, s)
-        expect_swings(pressure_ratio, m, c, s)
         keep_offsets(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
@@ -92,11 +90,7 @@ def estimate(y, ref, m, c, s, w):
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
-    if not c.tests_jams:
-        return 0
-    if c.tests_swings and detect_swings(e, pressure_ratio, m, c, s):
-        return 1
-    return detect_jam(e, pressure_ratio, m, c, s)
+    return detect_jam(e, pressure_ratio, m, c, s) if c.tests_jams else 0
 
 
 @compiled
@@ -125,14 +119,16 @@ def command_step(step, parts):
 @compiled
 def add_model_error(f, pressure_ratio, m, c, s):
     """Add the estimated model error b to f_m [4], less the force of offsets, for which commands make up already by their `shift`.
-    A regulator does not invert f_m: with it this changes nothing.
+    A regulator does not invert f_m: with it only the desired rates that are logged change.
 
     Of `u_dot` all of b: the outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim,
-    and then airspeed would run away. Of the rotations what is beyond `BEYOND_SIGMAS` deviations of what gusts leave of b, which is
-    better left to the outer loops; all of it while a vane is stuck, since it is then also what gusts do that are not measured.
+    and then airspeed would run away. Of the rotations what is beyond `BEYOND_SIGMAS` deviations of what gusts leave of b in
+    `GUST_S`: smaller errors are left to the outer loops. All of it while a vane is stuck, since it is then also what gusts do that
+    are not measured.
 
-    Without it the inversion holds a sideslip for ever: it cancels a restoring moment of the model that a jammed rudder, say,
-    balances, and commands the rudder to where it is jammed. So it seems to work, and heading is lost.
+    Where a large error of the rotations is not inverted, a sideslip is held for ever: the inversion cancels a restoring moment of
+    the model that a jammed rudder, say, balances, and commands the rudder to where it is jammed. So it seems to work, and heading
+    is lost.
     """
     for i in range(4):
         error = s.b[i]
