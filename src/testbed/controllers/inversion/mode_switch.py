@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 
 import numpy as np
 
@@ -19,8 +20,8 @@ from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
-_JAM_SHARES = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
-"""Of the jammed actuators' positions, for which a trim is looked for in turn."""
+_JAM_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
+"""Of the jammed actuators' positions, for which a trim is looked for in turn where there is no level one with all of them."""
 
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
@@ -163,22 +164,26 @@ class ModeSwitch:
                 self._report(step, f"{names[i]}: {text}")
 
     def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator, for the largest of `_JAM_SHARES` of the jammed actuators' forces with which altitude can be held:
-        an aircraft that is not quite balanced strays less than one that climbs or sinks for the balance. Where altitude can be held
-        with none of them it is for the largest that has a trim, and where none has, without these forces."""
-        best, of = None, 0.0
-        for share in _JAM_SHARES if jammed else (0.0,):
-            try:
-                regulator = regulator_for(self._setup, mode, {i: share * x for i, x in jammed.items()})
-            except NoSteadyFlight:
-                continue
-            if best is None or _holds_altitude(regulator):
-                best, of = regulator, share
-            if _holds_altitude(regulator):
-                break
+        """The mode's regulator, for the jammed actuators' forces or the largest of `_JAM_SHARES` with which altitude can be held:
+        an aircraft that is not quite balanced strays less than one that climbs or sinks for the balance. Where altitude can be
+        held with none of them it is for the largest that has a trim, and where none has, without these forces."""
+
+        def of_share(share: float) -> Regulator | None:
+            with suppress(NoSteadyFlight):
+                return regulator_for(self._setup, mode, {i: share * x for i, x in jammed.items()})
+            return None
+
+        best, of = of_share(1.0), 1.0
+        least = _rank(best) + 1
+        if jammed and not (best and _holds_altitude(best)):
+            for share in _JAM_SHARES:
+                part = of_share(share)
+                if _rank(part) < least:
+                    break
+                best, of, least = part, share, _rank(part)
         if best is None:
             return regulator_for(self._setup, mode, {})
-        if jammed and of < 1.0:
+        if of < 1.0:
             text = f"no level trim balances the jam; flies by that of {100 * of:.0f} % of its force"
             self._report(step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed))
         return best
@@ -262,6 +267,11 @@ class ModeSwitch:
 def _holds_altitude(regulator: Regulator | None) -> bool:
     """Without a regulator the outer loops hold it."""
     return regulator is None or "altitude" in regulator.held
+
+
+def _rank(regulator: Regulator | None) -> int:
+    """How good a trim there is: 0 none, 1 one on a path, 2 a level one."""
+    return 0 if regulator is None else 1 + _holds_altitude(regulator)
 
 
 def _cannot_hold_altitude(mode: Mode, regulator: Regulator) -> str:
