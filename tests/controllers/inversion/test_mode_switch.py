@@ -105,6 +105,17 @@ def test_level_flight_is_not_given_up_for_a_flag_that_came_early() -> None:
     assert modes.mode.failed == ("left_ruddervator", "right_propeller") and not s.early.any()
 
 
+def test_what_leaves_no_steady_flight_at_all_is_not_given_up_early_either() -> None:
+    """A T-38's weak elevator was reversed for 0.8 s. It was given up at once for a mode without a trim, and 1070 m were lost."""
+    modes, s = switch_of()
+    s.failed[0] = 1
+    modes.switch(1)
+    s.failed[1:3] = s.early[1:3] = 1
+    modes.switch(2)
+    assert modes.mode.failed == ("left_ruddervator",) and s.failed.tolist() == [1, 0, 0, 0]
+    assert all("seems lost" in text for _, text in modes.reasons) and len(modes.reasons) == 2
+
+
 def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     modes, s = switch_of(vtail_setup(WEATHER))
     s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 0.6

@@ -99,17 +99,20 @@ class ModeSwitch:
             return self._report(step, f"{len(failed)} actuators failed: nothing left to control with")
         if mode.refused:
             return self._report(step, mode.refused)
+        regulator, reason = None, ""
         try:
             regulator = self._regulator(step, mode, jammed) if mode.released else None
-        except NoSteadyFlight as reason:
-            self._report(step, str(reason))
-            if self._setup.released or len(failed) > len(self._setup.actuators) - 2:
-                return None  # the outer loops do not control what is released from the start, nor does one actuator
-            regulator = None
+        except NoSteadyFlight as none:
+            reason = str(none)
         if regulator is not None and not _holds_altitude(regulator):
+            reason = _cannot_hold_altitude(mode, regulator)
+        if reason:
             if self._holds_altitude and self._wait(step, mode):
                 return self.switch(step, airspeed)
-            self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
+            self._report(step, reason, once_for=mode.failed if regulator else None)
+            # The outer loops do not control what is released from the start, nor does one actuator.
+            if not regulator and (self._setup.released or len(failed) > len(self._setup.actuators) - 2):
+                return None
         self._put_in_force(mode, regulator, failed)
         if words := self._airspeed_in_words():
             text = f"{', '.join(mode.failed)} failed: {words}"
