@@ -212,7 +212,7 @@ def test_with_the_rudder_at_its_stop_the_propeller_is_not_blamed_and_altitude_is
     value: int, seed: int
 ) -> None:
     """In 27 deg of sideslip the side force leans forward by 2 m/s2. It was taken for a stuck propeller, and heading was lost by
-    60 to 140 deg. Of the whole jam the only trims climb: 120 m in 35 s."""
+    40 to 140 deg. Of the whole jam the only trims climb: 120 m in 35 s."""
     at = {"altitude_m": 300.0, "airspeed_m_s": 25.0, "heading_deg": 90.0}
     changes = {
         "aircraft": "aerosonde", "initial": at, "commands": [{"at_s": 0, **at}], "requirements": [],
