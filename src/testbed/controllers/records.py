@@ -70,7 +70,7 @@ MODEL = (
     Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),
     Field("A", (4, len(COLUMNS)), "x_c per rad, rad/s", "derivatives of f_m, columns D_ALPHA to D_R", "(2)"),
     Field("sideslip", (4,), "x_c per rad", "effect of the size of sideslip, beta of either sign"),
-    Field("side_slope", (), "m/s2 per rad", "v_dot by beta"),
+    Field("side_slope", (), "m/s2 per rad", "v_dot by beta: the side force, which leans forward in a sideslip"),
     Field("forward_curvature", (), "m/s2 per rad^2", "u_dot by the square of alpha from its trim: lift leans forward", "(2)"),
     Field("gyroscopic", (3, len(PRODUCTS)), "1", "p_dot, q_dot, r_dot by products of p, q, r", "(2)"),
     Field("B", (4, _N), "x_c per scaled unit", "B_m, input matrix with rotors at steady speed", "(2)"),

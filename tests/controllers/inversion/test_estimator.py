@@ -210,7 +210,7 @@ def test_where_f_is_no_model_it_may_be_wrong_by_all_that_it_has() -> None:
     """Beyond the stall by the slope of what no longer grows, and of u_dot in a sideslip by the side force that leans forward."""
     c, m, s = records()
     m.airspeed, m.alpha, m.stall_alpha, m.side_slope, m.forward_curvature = 18.0, 0.05, 0.2, -16.0, 80.0
-    m.A[:, D_ALPHA] = 0.0, -60.0, 0.0, 12.0
+    m.A[:, D_ALPHA], c.coefficient_error = (0.0, -60.0, 0.0, 12.0), 1e-9
     phi = np.zeros((4, N))
     for alpha, beta, expected in (
         (0.19, 0.0, [0.0, 0.0, 0.0, 0.0]),
@@ -223,6 +223,9 @@ def test_where_f_is_no_model_it_may_be_wrong_by_all_that_it_has() -> None:
         s.model_error_variance[:] = 0.0
         update_model_error_variance(y, 0.5, phi, m, c, s)
         assert s.model_error_variance[U_DOT] == pytest.approx((0.5 * expected[U_DOT]) ** 2)
+    c.coefficient_error, s.model_error_variance[:] = 0.0, 0.0  # the model error is switched off
+    update_model_error_variance(y, 0.5, phi, m, c, s)
+    assert not s.model_error_variance.any()
 
 
 def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True) -> Any:

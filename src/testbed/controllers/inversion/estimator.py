@@ -77,10 +77,10 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
             change = phi[i, j] * s.lambda_hat[j] - pressure_ratio * m.B[i, j] * m.trim_position[j]
             squares += change * change
         floor = c.model_error_std[i] * c.model_error_std[i]
-        beyond = pressure_ratio * beyond_model(i, y, m)
-        variance = (
-            floor + c.coefficient_error * c.coefficient_error * squares + beyond * beyond + unseen(i, m, s)
-        )
+        variance = floor + c.coefficient_error * c.coefficient_error * squares
+        if c.coefficient_error > 0.0:  # else the model is taken for exact, as with `model_error` switched off
+            beyond = pressure_ratio * beyond_model(i, y, m)
+            variance = variance + beyond * beyond + unseen(i, m, s)
         if i == U_DOT and variance > s.model_error_variance[i]:
             s.model_error_variance[i] = variance
         else:
@@ -89,8 +89,8 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
 
 @compiled
 def beyond_model(row, y, m):
-    """What f_m may leave out of a rate where it is no model, at V_0 [x_c]: beyond the stall all that it has by lift that no longer
-    grows; and in u_dot the side force, which leans forward in a sideslip, or the drag by which some models make up for it."""
+    """What f_m may leave out of a rate where it is no model, at V_0 [x_c]: beyond the stall its slope at the stall, since lift no
+    longer grows; in u_dot the side force, which leans forward in a sideslip, or the drag by which some models make up for it."""
     slope, side = m.A[row, D_ALPHA], 0.0
     if row == U_DOT:
         slope += 2.0 * m.forward_curvature * (m.stall_alpha - m.alpha)

@@ -23,6 +23,8 @@ _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference 
 _JAM_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
 """Of the jammed actuators' positions, for which a trim is looked for in turn where there is no level one with all of them."""
 
+_LEVEL = 2  # the highest `_rank` of a trim
+
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
@@ -167,9 +169,10 @@ class ModeSwitch:
                 self._report(step, f"{names[i]}: {text}")
 
     def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator, for the jammed actuators' forces or the largest of `_JAM_SHARES` with which altitude can be held:
-        an aircraft that is not quite balanced strays less than one that climbs or sinks for the balance. Where altitude can be
-        held with none of them it is for the largest that has a trim, and where none has, without these forces."""
+        """The mode's regulator, for all of the jammed actuators' forces, or where altitude cannot be held with them for the largest
+        of `_JAM_SHARES` of them with which it can: an aircraft that is not quite balanced strays less than one that climbs or sinks
+        for the balance. Where no share allows level flight, it is for the largest that has a trim; where the smallest has none,
+        without these forces. A share is taken to have a trim where a larger one has: they are tried upwards as long as they do."""
 
         def of_share(share: float) -> Regulator | None:
             with suppress(NoSteadyFlight):
@@ -177,8 +180,8 @@ class ModeSwitch:
             return None
 
         best, of = of_share(1.0), 1.0
-        least = _rank(best) + 1
-        if jammed and not (best and _holds_altitude(best)):
+        least = _rank(best) + 1  # a part must be better than the whole, and no worse than a smaller part
+        if jammed and least <= _LEVEL:
             for share in _JAM_SHARES:
                 part = of_share(share)
                 if _rank(part) < least:
@@ -273,8 +276,8 @@ def _holds_altitude(regulator: Regulator | None) -> bool:
 
 
 def _rank(regulator: Regulator | None) -> int:
-    """How good a trim there is: 0 none, 1 one on a path, 2 a level one."""
-    return 0 if regulator is None else 1 + _holds_altitude(regulator)
+    """How good a trim there is: 0 none, 1 one on a path, `_LEVEL` a level one."""
+    return 0 if regulator is None else _LEVEL if _holds_altitude(regulator) else 1
 
 
 def _cannot_hold_altitude(mode: Mode, regulator: Regulator) -> str:
