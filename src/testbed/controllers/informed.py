@@ -21,8 +21,8 @@ from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.jam_detection import REDESIGN_AFTER
-from testbed.controllers.inversion.law import effect_ratio, measured_error, pressure_ratio_of, state_function
-from testbed.controllers.inversion.step import regression
+from testbed.controllers.inversion.law import measured_error, pressure_ratio_of, state_function
+from testbed.controllers.inversion.step import add_unused, regression
 from testbed.controllers.outer_loops import virtual_control
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
@@ -32,8 +32,8 @@ from testbed.inputs.problems import BadInput, Problem
 def informed_step(step, parts):
     """Invert and command for one measured state with what `InformedController` has written into the memory; returns 0.
 
-    The forces of jammed actuators are a known part of f_m, where no regulator is designed for them. With `c.adapts` (`increments`),
-    the measured error (10) is taken from nu: it is then what the truth about the actuators leaves unexplained.
+    With `c.adapts` (`increments`), the measured error (10) is taken from nu: it is then what the truth about the actuators leaves
+    unexplained.
     """
     states, setpoints, telemetry, models, settings, modes, memories, works, _ = parts
     y, ref, w = states[step], setpoints[step], works[0]
@@ -44,10 +44,7 @@ def informed_step(step, parts):
     if c.adapts:
         regression(y, pressure_ratio, m, c, s, w)
         measured_error(w.z, w.phi, s, w.e)  # (10)
-    for j in range(len(s.jammed)):
-        if s.jammed[j] and not k.regulated:
-            for i in range(4):
-                w.f[i] += m.B[i, j] * effect_ratio(j, pressure_ratio, m) * s.lambda_hat[j]
+    add_unused(w.f, pressure_ratio, m, k, s)
     virtual_control(y, ref, m, c, k, s, w)
     for i in range(4):
         w.nu[i] -= w.e[i]  # zero without `increments`

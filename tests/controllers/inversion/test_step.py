@@ -13,7 +13,13 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S
-from testbed.controllers.inversion.step import adaptive_step, add_model_error, command_step, estimate
+from testbed.controllers.inversion.step import (
+    adaptive_step,
+    add_model_error,
+    add_unused,
+    command_step,
+    estimate,
+)
 from testbed.controllers.records import REGULATOR_STATE, work_dtype
 from testbed.controllers.setup import Setup
 
@@ -113,3 +119,19 @@ def test_of_the_rotations_the_model_error_beyond_gusts_is_inverted() -> None:
     f = np.zeros(4)
     add_model_error(f, 1.0, m, c, s)
     assert f == pytest.approx([*(3.0 * gusts), 0.2])
+
+
+def test_what_is_given_up_is_inverted_with_the_force_that_it_has() -> None:
+    """That of a jammed one is B times its position, that of a lost one B times what is left of it; a regulator has both already."""
+    parts = parts_of(WEIGHTED)
+    m, k, s = parts[3][0], parts[5][0], parts[6][0]
+    s.lambda_hat[:], s.position[:] = [1.7, 0.9, 0.1, 0.8], [-0.4, 0.6, 1.5, 2.0]
+    s.jammed[0], k.available[:] = 1, [0, 1, 0, 1]
+    f, twice_the_pressure = np.zeros(4), 2.0
+    k.regulated = 1
+    add_unused(f, twice_the_pressure, m, k, s)
+    assert f.tolist() == [0.0] * 4
+    k.regulated = 0
+    add_unused(f, twice_the_pressure, m, k, s)
+    surface, thrust = 2.0 * 1.7, 0.1 * 1.5  # thrust does not grow with dynamic pressure
+    assert f == pytest.approx(m.B[:4, 0] * surface + m.B[:4, 2] * thrust)

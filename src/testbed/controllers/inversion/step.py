@@ -140,9 +140,25 @@ def add_model_error(f, pressure_ratio, m, c, s):
 
 
 @compiled
+def add_unused(f, pressure_ratio, m, k, s):
+    """Add to f_m [4] what the actuators that are given up do, as far as it is known: the force of a jammed one, and what is left of
+    a lost one's. A regulator has it in its trim. Without it, the outer loops had to find a jammed aileron's moment, and a T-38 that
+    has another did not turn."""
+    if k.regulated:
+        return
+    for j in range(len(s.position)):
+        if s.jammed[j] or not k.available[j]:
+            force = s.lambda_hat[j] * (1.0 if s.jammed[j] else s.position[j])
+            force *= effect_ratio(j, pressure_ratio, m)
+            for i in range(4):
+                f[i] += m.B[i, j] * force
+
+
+@compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
     add_model_error(w.f, pressure_ratio_of(y, m), m, c, s)
+    add_unused(w.f, pressure_ratio_of(y, m), m, k, s)
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
