@@ -228,7 +228,12 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
         name for name in summary["scores"] if name in summary["controllers"] and name != summary["reference"]
     )
     alone = summary["scores"][rival]["against_reference"]["held"]["only_first"]
-    said = f"`{rival}` alone holds {alone} of {summary['draws']} draws."
+    rivals = [name for name in summary["scores"] if name not in (summary["reference"], "best of all")]
+    both = {name: summary["scores"][name]["against_reference"] for name in rivals}
+    differences = "; ".join(
+        f"`{name}` {_difference(one['held'])} and {_difference(one['inside'])}" for name, one in both.items()
+    )
+    said = f"`{rival}` alone holds {alone} of {summary['draws']} draws. *Held* and *inside*, minus `default`: {differences}."
     flew = joined([f"`{name}`" for name in summary["controllers"]])
     words = f"{headline} {said} Only {flew} flew them, the first {first['draws']} of which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
