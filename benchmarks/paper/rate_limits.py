@@ -25,16 +25,15 @@ def rate_limited(share: float) -> complex:
     never does: the position is a triangle of amplitude pi R / (2 w), late by arccos(pi share / 2). The phase is that of a lag of
     -tan(arg) / w, which grows with the amplitude.
     """
-    if share >= 1.0:
+    if share >= 1.0 - 1e-9:  # so near the limit the line and the sine differ by less than rounding
         return 1.0 + 0.0j
     if share <= FULLY_RATE_LIMITED:
         late = math.acos(0.5 * math.pi * share)
         return 4.0 * share / math.pi * cmath.exp(-1j * late)
     begin = math.pi - math.acos(share)
     top = math.sin(begin) + share * begin
-    end = float(
-        brentq(lambda x: top - share * x - math.sin(x), begin + 1e-3 * (1.0 - share), begin + math.pi)
-    )
+    first = begin + math.sin(begin)  # they meet at about three times this way from `begin`, where they touch
+    end = float(brentq(lambda x: top - share * x - math.sin(x), first, begin + math.pi))
     found = _line(end, top, share) - _line(begin, top, share) + _sine(begin + math.pi) - _sine(end)
     return 2.0 / math.pi * found
 

@@ -114,7 +114,7 @@ def test_an_unmodelled_rate_limit_reads_twice_the_square_of_its_share() -> None:
     assert abs(rate) <= 2.0 * math.pi / PERIOD / reading * kappa
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.55, 0.7, 0.9, 0.99, 1.0, 1.5])
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.55, 0.7, 0.9, 0.99, 0.999999, 1.0, 1.5])
 def test_a_rate_limit_has_its_describing_function(share: float) -> None:
     """The fundamental of a rate-limited sine in small steps: triangle, sine with straight parts, sine."""
     steps = 5000
