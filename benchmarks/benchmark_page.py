@@ -45,7 +45,7 @@ HEAD = """\
 
 This page compares controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in
 any weather. Their seed is made from a digest of the controllers' code and a word, here the hash of the
-commit that froze it, which its author could have made anew.
+commit that froze the code. Its author could have committed again for another seed.
 **Held** is flown to the end and never farther from the
 references of altitude and heading than limits that grow with the aircraft's span and speed: a span and 0.45 s of flight, 10 m for
 the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time within them.
@@ -224,14 +224,16 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
     headline = headline.partition(" The best controller in each draw")[0]  # of two: no bound
-    rival = next(
-        name for name in summary["scores"] if name in summary["controllers"] and name != summary["reference"]
-    )
-    alone = summary["scores"][rival]["against_reference"]["held"]["only_first"]
-    rivals = [name for name in summary["scores"] if name not in (summary["reference"], "best of all")]
-    both = {name: summary["scores"][name]["against_reference"] for name in rivals}
+    rivals = {
+        name: score["against_reference"]
+        for name, score in summary["scores"].items()
+        if name in summary["controllers"] and name != summary["reference"]
+    }
+    rival = next(iter(rivals))
+    alone = rivals[rival]["held"]["only_first"]
     differences = "; ".join(
-        f"`{name}` {_difference(one['held'])} and {_difference(one['inside'])}" for name, one in both.items()
+        f"`{name}` {_difference(one['held'])} and {_difference(one['inside'])}"
+        for name, one in rivals.items()
     )
     said = f"`{rival}` alone holds {alone} of {summary['draws']} draws. *Held* and *inside*, minus `default`: {differences}."
     flew = joined([f"`{name}`" for name in summary["controllers"]])

@@ -141,9 +141,9 @@ def add_model_error(f, pressure_ratio, m, c, s):
 
 @compiled
 def add_unused(f, pressure_ratio, m, k, s):
-    """Add to f_m [4] what the actuators that are given up do, as far as it is known: the force of a jammed one, and what is left of
-    a lost one's. A regulator has it in its trim. Without it, the outer loops had to find a jammed aileron's moment, and a T-38 that
-    has another did not turn."""
+    """Add to f_m [4] what the actuators that are given up do, by their estimates: the force of a jammed one, and what is left of a
+    lost one's. A regulator has the force of a jammed one in its trim. With this left to the outer loops, a T-38 with one of its two
+    ailerons jammed did not turn."""
     if k.regulated:
         return
     for j in range(len(s.position)):
@@ -157,9 +157,10 @@ def add_unused(f, pressure_ratio, m, k, s):
 @compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
-    add_model_error(w.f, pressure_ratio_of(y, m), m, c, s)
-    add_unused(w.f, pressure_ratio_of(y, m), m, k, s)
+    pressure_ratio = pressure_ratio_of(y, m)
+    add_model_error(w.f, pressure_ratio, m, c, s)
+    add_unused(w.f, pressure_ratio, m, k, s)
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
-    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
+    allocate_and_command(w.nu, pressure_ratio, axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
     write_diagnosis(row, c, s)
