@@ -132,5 +132,5 @@ def draw(names: Sequence[str], ranges: Mapping[tuple[str, str], tuple[float, flo
     axes.set_yticks(range(len(names)), names, fontsize=8)
     axes.invert_yaxis()
     axes.set_xlabel("factor on the coefficient of the design model [-]")
-    axes.legend(loc="lower right")
+    figure.legend(loc="outside upper center", ncols=2)
     figure.savefig(path, dpi=150)

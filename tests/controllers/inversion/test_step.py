@@ -122,7 +122,7 @@ def test_of_the_rotations_the_model_error_beyond_gusts_is_inverted() -> None:
 
 
 def test_what_is_given_up_is_inverted_with_the_force_that_it_has() -> None:
-    """That of a jammed one is B times its position, that of a lost one B times what is left of it; a regulator's f_m is left alone."""
+    """That of a jammed one is B times its position, that of a lost one B times what is left of it; a regulator's f_m stays."""
     parts = parts_of(WEIGHTED)
     m, k, s = parts[3][0], parts[5][0], parts[6][0]
     s.lambda_hat[:], s.position[:] = [1.7, 0.9, 0.1, 0.8], [-0.4, 0.6, 1.5, 2.0]
