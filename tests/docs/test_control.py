@@ -10,6 +10,7 @@ from testbed.controllers import initial_records, released_axes, scaling
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion import (
     estimator,
+    evidence,
     jam_detection,
     loss_detection,
     mode_trim,
@@ -29,25 +30,25 @@ SENTENCES = [
     f"and explains it {estimator.CHANGE_LEAD:g} times better",
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
-    f"its estimate has fallen by more than {loss_detection.SUDDEN_LOSS:g} within a few seconds",
+    f"its estimate has fallen by more than {evidence.HALF_WAY:g} within a few seconds",
     f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
     f"{NUMBER[loss_detection.STANDING_SIGMA]} standard deviations above {loss_detection.CONFIRM_BELOW:g} and the threshold",
-    f"gives {1 - offset_detection.DECISION_THRESHOLD:g} to {1 + offset_detection.DECISION_THRESHOLD:g} of its position's thrust",
+    f"gives {1 - evidence.HALF_WAY:g} to {1 + evidence.HALF_WAY:g} of its position's thrust",
     f"`lambda_min` is {SET.lambda_min:g} here",
-    f"until its estimate has stayed below {loss_detection.CONFIRM_BELOW:g} for {loss_detection.CONFIRM_S:g} s "
+    f"until its estimate has stayed below {loss_detection.CONFIRM_BELOW:g} for {evidence.SLOW_S:g} s "
     "and the flight is no longer steady",
     f"is {loss_detection.STEADY_M:g} m from its reference",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
-    f"that remains after adaptation is averaged over {estimator.RESIDUAL_TIME_S:g} s",
-    f"When the value has been above {offset_detection.JAM_SIGMA:g} for {offset_detection.JAM_S:g} s "
-    f"({jam_detection.THRUST_JAM_S:g} s for a motor or engine)",
-    f"below {jam_detection.REVERSED_BELOW:g} is {NUMBER[jam_detection.REVERSED_SIGMA]} standard deviations below zero "
+    f"that remains after adaptation is averaged over {evidence.MEAN_S:g} s",
+    f"When the value has been above {offset_detection.JAM_SIGMA:g} for {evidence.MEAN_S:g} s "
+    f"({evidence.SLOW_S:g} s for a motor or engine)",
+    f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
-    f"each is believed when the other is {NUMBER[offset_detection.BEYOND_SIGMAS]} standard deviations away",
+    f"each is believed when the other is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
     f"goes more than {jam_detection.REVERSAL_SHARE:g} of that way within {estimator.REVERSAL_S:g} s, "
     "and the way is longer than one scaled unit",
     f"a sine of {probing.RAD_S:g} rad/s for the first actuator and {probing.RAD_S_MORE:g} rad/s more for each next",
@@ -55,7 +56,7 @@ SENTENCES = [
     f"held within {probing.LARGEST:g} units of a stop is not judged",
     f"within {NUMBER[probing.OPPOSITE_WITHIN]} units of minus its trim",
     f"(engines {probing.ENGINE_SLOWER:g} times that)",
-    f"when the gain is above {probing.WORKS_ABOVE:g} and 0 is {NUMBER[probing.SIGMAS]} standard deviations away",
+    f"when the gain is above {evidence.HALF_WAY:g} and 0 is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
     f"the same to the last digit for {sensor_guard.REPEATS_S:g} s",
     f"drawn within {sensor_guard.RECALL_S:g} s to that at which the angle of attack carries the weight",
     f"what a gust of {sensor_guard.UNSEEN_GUST:g} m/s does by that angle",

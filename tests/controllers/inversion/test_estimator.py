@@ -13,7 +13,6 @@ from testbed.controllers.inversion.estimator import (
     JAM_NOISE,
     JAM_VARIANCE,
     LATENESS_MAX,
-    RESIDUAL_TIME_S,
     REVERSAL_NOISE,
     REVERSAL_S,
     UNKNOWN_VARIANCE,
@@ -27,6 +26,7 @@ from testbed.controllers.inversion.estimator import (
     update_by_rate,
     update_model_error_variance,
 )
+from testbed.controllers.inversion.evidence import MEAN_S
 from testbed.controllers.inversion.law import low_pass, regressor
 from testbed.controllers.records import (
     D_ALPHA,
@@ -201,9 +201,9 @@ def test_model_error_variance_of_forward_acceleration_rises_at_once() -> None:
     update_model_error_variance(far, 1.0, phi, m, c, s)
     final = 0.01 + 0.04 * 0.25
     assert s.model_error_variance[U_DOT] == pytest.approx(final)
-    assert np.allclose(s.model_error_variance[:U_DOT], 0.01 + c.dt / RESIDUAL_TIME_S * (final - 0.01))
+    assert np.allclose(s.model_error_variance[:U_DOT], 0.01 + c.dt / MEAN_S * (final - 0.01))
     update_model_error_variance(near, 1.0, phi, m, c, s)
-    assert s.model_error_variance[U_DOT] == pytest.approx(final - c.dt / RESIDUAL_TIME_S * (final - 0.01))
+    assert s.model_error_variance[U_DOT] == pytest.approx(final - c.dt / MEAN_S * (final - 0.01))
 
 
 def test_where_f_is_no_model_it_may_be_wrong_by_all_that_it_has() -> None:

@@ -11,22 +11,20 @@ from vtail_setup import WEATHER, Records, records_of, vtail_setup
 from testbed.controllers.inversion.estimator import (
     HEALTHY_VARIANCE,
     JAM_VARIANCE,
-    RESIDUAL_TIME_S,
     REVERSAL_S,
 )
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, MEAN_S, SLOW_S
 from testbed.controllers.inversion.jam_detection import (
     RECENT_FLAG_S,
     REDESIGN_AFTER,
     REVERSED_S,
-    REVERSED_SIGMA,
     ROUGH_S,
-    THRUST_JAM_S,
     detect_jam,
     filtered_position,
     likeliest_jam,
     take_for_jammed,
 )
-from testbed.controllers.inversion.offset_detection import JAM_S, JAM_SIGMA
+from testbed.controllers.inversion.offset_detection import JAM_SIGMA
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
 SETUP = vtail_setup(WEATHER)
@@ -56,7 +54,7 @@ def test_the_ratio_is_that_of_weighted_least_squares() -> None:
     effectiveness is as good an explanation, as far as the position makes it one."""
     m, c, _, s, _ = records()
     s.residual[:] = residual_of_a_test = np.array([0.9, -2.0, 0.8, 0.5])
-    variance = 0.5 * c.noise**2 / RESIDUAL_TIME_S + s.model_error_variance
+    variance = 0.5 * c.noise**2 / MEAN_S + s.model_error_variance
     s.P[range(N), range(N)] = [0.01, 0.04, 0.02, 0.03]
     c.filter_rate, s.position[:], ratios = 0.0, [2.0, -1.0, 1.5, 3.0], []
     for i in range(N):
@@ -76,11 +74,11 @@ def test_a_jam_is_flagged_after_its_time_and_not_before(i: int) -> None:
     m, c, _, s, _ = records()
     s.P[i, i] = 1.0
     e = 6.0 * np.array(m.B)[:, i]
-    time = JAM_S if m.servo[i] else THRUST_JAM_S
+    time = MEAN_S if m.servo[i] else SLOW_S
     steps = 0
     while not detect_jam(e, 1.0, m, c, s):
         steps += 1
-    assert time < steps * c.dt < time + 2.0 * JAM_S
+    assert time < steps * c.dt < time + 2.0 * MEAN_S
     assert np.flatnonzero(s.jammed).tolist() == [i] and np.flatnonzero(s.failed).tolist() == [i]
 
 
@@ -116,7 +114,7 @@ def test_a_weak_surface_that_stands_at_its_stop_is_held_once_the_flight_departs(
     m, c, _, s, _ = records()
     s.lambda_hat[1], s.saturated, s.at_stop[1], s.departed = estimate, 1, at_stop, departed
     s.filtered_phi[1, :, 1] = -2.5 * m.B[:, 1]
-    steps = round(JAM_S / c.dt)
+    steps = round(MEAN_S / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps)) and not s.jammed.any()
     for _ in range(3):
         detect_jam(np.zeros(4), 1.0, m, c, s)
@@ -140,9 +138,7 @@ def test_an_uncertain_negative_estimate_is_none() -> None:
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(400))
 
 
-@pytest.mark.parametrize(
-    ("sigmas", "flagged"), [(1.05 * REVERSED_SIGMA, True), (0.95 * REVERSED_SIGMA, False)]
-)
+@pytest.mark.parametrize(("sigmas", "flagged"), [(1.05 * BEYOND_DOUBT, True), (0.95 * BEYOND_DOUBT, False)])
 def test_an_aircraft_unstable_in_pitch_does_not_wait_for_a_small_deviation(
     sigmas: float, flagged: bool
 ) -> None:
@@ -298,7 +294,7 @@ def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
     s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
     s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
     s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
-    steps = math.ceil(JAM_S / c.dt)
+    steps = math.ceil(MEAN_S / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()
     for _ in range(4):
         detect_jam(np.zeros(4), 1.0, m, c, s)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
 
+from testbed.controllers.inversion.evidence import SLOW_S
 from testbed.controllers.inversion.loss_detection import (
     CONFIRM_BELOW,
-    CONFIRM_S,
     has_departed,
     is_steady,
     monitor,
@@ -92,7 +92,7 @@ def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait
     assert not any(monitor(False, 1.0, m, c, s) for _ in range(1000))
     s.lambda_hat[0] = CONFIRM_BELOW - 0.01
     second = [monitor(False, 1.0, m, c, s) for _ in range(1000)].index(1)
-    assert second == round(CONFIRM_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
+    assert second == round(SLOW_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
 
 
 def test_what_was_taken_back_is_not_given_up_as_long_as_the_flight_is_steady() -> None:

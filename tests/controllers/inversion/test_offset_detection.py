@@ -13,12 +13,10 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, predict
-from testbed.controllers.inversion.jam_detection import THRUST_JAM_S, detect_jam
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, MEAN_S, SLOW_S
+from testbed.controllers.inversion.jam_detection import detect_jam
 from testbed.controllers.inversion.law import compensate, measured_error, reach, regressor
 from testbed.controllers.inversion.offset_detection import (
-    BEYOND_SIGMAS,
-    GUST_S,
-    JAM_S,
     JAM_SIGMA,
     expect_offset,
     follow_offsets,
@@ -101,7 +99,7 @@ def test_a_known_offset_does_not_hide_the_jam_of_another() -> None:
     m, c, _, s, _ = made
     force = np.array(m.B)[:, 0] * s.offset[0] + 6.0 * np.array(m.B)[:, 3]
     s.lambda_hat[:] = 1.0
-    for _ in range(round((THRUST_JAM_S + 2.0 * JAM_S) / c.dt)):
+    for _ in range(round((SLOW_S + 2.0 * MEAN_S) / c.dt)):
         detect_jam(force, 1.0, m, c, s)
     assert s.jammed.tolist() == [0, 0, 0, 1]
 
@@ -143,11 +141,11 @@ def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None
         (0.9, 1.05, False, True),
         (0.9, 0.95, False, False),
     ):
-        s.lambda_hat[0], s.P[0, 0] = estimate, (0.9 / (sigmas * BEYOND_SIGMAS)) ** 2
+        s.lambda_hat[0], s.P[0, 0] = estimate, (0.9 / (sigmas * BEYOND_DOUBT)) ** 2
         assert (time_to_stand_still(0, 1.0, m, c, s) > 0.0, follows(0, m, c, s)) == (still, moves)
 
 
-@pytest.mark.parametrize(("sigmas", "time"), [(1.4, JAM_S), (1.6, 0.0), (-2.9, JAM_S), (-3.1, 0.1)])
+@pytest.mark.parametrize(("sigmas", "time"), [(1.4, MEAN_S), (1.6, 0.0), (-2.9, MEAN_S), (-3.1, 0.1)])
 def test_one_that_has_moved_with_a_small_force_is_jammed_if_its_effectiveness_is_about_0(
     sigmas: float, time: float
 ) -> None:
@@ -168,7 +166,7 @@ def test_a_larger_force_takes_less_time_to_be_believed() -> None:
     m, c, _, s, _ = records()
     column, (s.lambda_hat[0], s.P[0, 0]) = np.array(m.B)[:, 0], (0.0, 1e-4)
     weight = column / s.model_error_variance
-    gusts = 0.5 * np.array(c.noise) ** 2 / GUST_S
+    gusts = 0.5 * np.array(c.noise) ** 2 / MEAN_S
     variance = (np.sum(column * weight) + np.sum(gusts * weight**2)) / np.sum(column * weight) ** 2
     one = JAM_SIGMA * np.sqrt(variance)
     for size, time in ((0.99, 0.0), (2.0, c.persistence / 4.0), (-4.0, c.persistence / 16.0)):
@@ -334,7 +332,7 @@ def test_of_a_surface_that_has_moved_a_small_force_is_enough() -> None:
     for moved, estimate, time in (
         (0, -1.0, 0.0),
         (1, -1.0, c.persistence),
-        (1, 0.1, JAM_S),
+        (1, 0.1, MEAN_S),
         (1, 0.4, 0.0),
     ):
         s.moved[0], s.lambda_hat[0] = moved, estimate

@@ -11,8 +11,8 @@ from vtail_setup import WEATHER, setpoint, trim_state, vtail_setup
 from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemetry_width
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, MEAN_S
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S
 from testbed.controllers.inversion.step import (
     adaptive_step,
     add_model_error,
@@ -107,7 +107,7 @@ def test_of_the_rotations_the_model_error_beyond_gusts_is_inverted() -> None:
     """Less the force of an offset, which commands make up for; all of it in `u_dot`, and while a vane is stuck."""
     parts = parts_of(WEIGHTED)
     m, c, s = parts[3][0], parts[4][0], parts[6][0]
-    gusts = BEYOND_SIGMAS * c.noise[:3] / np.sqrt(2.0 * GUST_S)
+    gusts = BEYOND_DOUBT * c.noise[:3] / np.sqrt(2.0 * MEAN_S)
     s.shift[0] = 0.5
     force = m.B[:4, 0] * s.shift[0]
     for error in (-3.0, -0.5, 0.5, 3.0):

@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
+from testbed.controllers.inversion.evidence import MEAN_S
 from testbed.controllers.inversion.law import beyond_tangent, low_pass
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
 from testbed.controllers.inversion.sensor_guard import unseen
@@ -35,8 +36,6 @@ JAM_VARIANCE, JAM_NOISE = 16.0, 0.2
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2], and its process noise [scaled/sqrt(s)]. A
 jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With 1.0, gusts at 25 ft/s moved
 the estimated thrust by 2 units within a second."""
-RESIDUAL_TIME_S = 1.0
-"""Time constant of what the jam test compares [s]: mean of the residual, and model-error variance (of `u_dot` while it falls)."""
 CHANGE_TIME_S, CHANGE_SIGMA, CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is expected (`expect_change`): the time over which innovations are averaged [s], the size of
 the change in its standard deviations, and how many times better than the next one it explains the average."""
@@ -61,7 +60,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     deviation `coefficient_error`, and what is `beyond_model`.
 
     The model is most accurate at its own trim, so each term of f_m and of Phi lambda enters by its difference from the trim.
-    The variance is at least `model_error_std`^2, and is averaged over `RESIDUAL_TIME_S`. That of `u_dot` rises at once: drag grows
+    The variance is at least `model_error_std`^2, and is averaged over `MEAN_S`. That of `u_dot` rises at once: drag grows
     with a hard pull-up by more than the model says, and healthy engines were flagged before the average knew. In the rates of
     rotation every gust would raise it, and hide losses.
     """
@@ -84,7 +83,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
         if i == U_DOT and variance > s.model_error_variance[i]:
             s.model_error_variance[i] = variance
         else:
-            s.model_error_variance[i] += c.dt / RESIDUAL_TIME_S * (variance - s.model_error_variance[i])
+            s.model_error_variance[i] += c.dt / MEAN_S * (variance - s.model_error_variance[i])
 
 
 @compiled

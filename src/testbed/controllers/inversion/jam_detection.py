@@ -14,15 +14,14 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import (
     HEALTHY_VARIANCE,
     JAM_VARIANCE,
-    RESIDUAL_TIME_S,
     REVERSAL_S,
     forget_model_error,
     reset_covariance,
 )
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
 from testbed.controllers.inversion.loss_detection import THRUST_SIGMA, thrust_given
 from testbed.controllers.inversion.offset_detection import (
-    JAM_S,
     JAM_SIGMA,
     deviation,
     follow_offsets,
@@ -34,12 +33,9 @@ from testbed.controllers.inversion.offset_detection import (
 )
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
-REVERSED_BELOW = -0.5
-"""An estimate below this with a small standard deviation means that the actuator is jammed or reversed, not that it lost
-effectiveness."""
-REVERSED_SIGMA, REVERSED_S = 3.0, 0.02
-"""On an aircraft that is unstable in pitch, an estimate that is so many standard deviations below zero for so long [s] means the
-same: such an aircraft is beyond the stall before the standard deviation is small."""
+REVERSED_S = 0.02
+"""On an aircraft that is unstable in pitch, how long an estimate must be below zero beyond doubt [s]: it is beyond the stall before
+the standard deviation is small."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 NOT_DESIGNED = 1e9
@@ -50,9 +46,6 @@ RESIDUAL_THRUST = 0.3
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
-THRUST_JAM_S = 3.0
-"""How long a motor or engine must be the `likeliest_jam`, in place of `JAM_S` [s]. Stuck thrust does harm more slowly than a
-stuck surface, and gusts look like it for a second or two."""
 ROUGH_S = 0.05
 """How long the position of a jam is a rough estimate [s], from which no way is measured."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
@@ -72,7 +65,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
     An actuator is taken for jammed
 
-    * when it has been the `likeliest_jam` for `JAM_S`, a motor or engine for `THRUST_JAM_S`. The timer runs down while it is
+    * when it has been the `likeliest_jam` for `MEAN_S`, a motor or engine for `SLOW_S`. The timer runs down while it is
       not. A surface that `follows` its command has an offset instead; one that has `moved` is decided by `time_to_stand_still`;
     * when a surface has stood still under its commands for the `time_to_stand_still`;
     * when it looks jammed in another way for the `time_to_jam`.
@@ -80,7 +73,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     follow_offsets(pressure_ratio, m, c, s)
     for row in range(4):
         new = e[row] - force_of_offsets(row, pressure_ratio, m, s)
-        s.residual[row] += c.dt / RESIDUAL_TIME_S * (new - s.residual[row])
+        s.residual[row] += c.dt / MEAN_S * (new - s.residual[row])
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -88,7 +81,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
-        explained = s.jam_timer[i] > (JAM_S if m.servo[i] else THRUST_JAM_S)
+        explained = s.jam_timer[i] > (MEAN_S if m.servo[i] else SLOW_S)
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
@@ -123,12 +116,12 @@ def time_to_jam(i, pressure_ratio, m, c, s):
     if backwards and unstable(m):
         return REVERSED_S
     if stands_at_a_stop(i, m, c, s):
-        return JAM_S
+        return MEAN_S
     own_force = has_force_of_its_own(i, c, s)
     if backwards or (own_force and not m.engine[i]):
         return c.persistence
     if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
-        return ENGINE_S if m.engine[i] and c.probes else JAM_S
+        return ENGINE_S if m.engine[i] and c.probes else MEAN_S
     return 0.0
 
 
@@ -169,8 +162,8 @@ def settle_regression(i, position, pressure_ratio, m, s):
 def acts_reversed(i, m, c, s):
     """Whether the estimate of an actuator that is not yet taken for jammed or reversed is below zero beyond doubt."""
     sigma = deviation(i, s)
-    sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -REVERSED_SIGMA * sigma)
-    return s.lambda_hat[i] < REVERSED_BELOW and sure and not (s.jammed[i] or s.reversed[i])
+    sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -BEYOND_DOUBT * sigma)
+    return s.lambda_hat[i] < -HALF_WAY and sure and not (s.jammed[i] or s.reversed[i])
 
 
 @compiled
@@ -214,8 +207,8 @@ def take_for_reversed(i, pressure_ratio, m, s):
 
 @compiled
 def no_longer_reversed(i, s):
-    """Whether the estimate of an actuator that is used with the opposite sign is above `REVERSED_BELOW` beyond doubt."""
-    return s.lambda_hat[i] - REVERSED_SIGMA * deviation(i, s) > REVERSED_BELOW
+    """Whether the estimate of an actuator that is used with the opposite sign is above `-HALF_WAY` beyond doubt."""
+    return s.lambda_hat[i] - BEYOND_DOUBT * deviation(i, s) > -HALF_WAY
 
 
 @compiled
@@ -262,7 +255,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
         projection, information = 0.0, 0.0
         for row in range(4):
             b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)  # of (2): the signature of this actuator
-            gusts = 0.5 * c.noise[row] * c.noise[row] / RESIDUAL_TIME_S
+            gusts = 0.5 * c.noise[row] * c.noise[row] / MEAN_S
             weight = 1.0 / (gusts + s.model_error_variance[row])
             projection += b * weight * s.residual[row]
             information += b * weight * b

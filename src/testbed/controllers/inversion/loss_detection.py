@@ -12,26 +12,20 @@ import math
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
+from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import (
-    DECISION_THRESHOLD,
     deviation,
     offset_in_model_error,
 )
 from testbed.controllers.outer_loops import wrap
 
-SLOW_LAG_S = 3.0
-"""Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
-SUDDEN_LOSS = 0.5
-"""Fall of an estimate below the slow one [1] that no error of the estimate explains."""
 STANDING_SIGMA = 2.0
 """Present standard deviations by which the slow estimate must be below `threshold` to be low beyond doubt, however it came there.
 An estimate of 0 needs one of 0.03."""
-INFORMATIVE_STD = 0.5
-"""Largest standard deviation of an estimate [1] that says anything about which actuator has failed."""
-CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
-"""An actuator without which altitude cannot be held is given up only when its estimate has stayed below `CONFIRM_BELOW` [1] for
-`CONFIRM_S` [s]. That is longer than most pauses of an intermittent failure. What keeps more effectiveness than that is worth using.
+CONFIRM_BELOW = 0.15
+"""An actuator without which altitude cannot be held is given up only when its estimate has stayed below this [1] for `SLOW_S`.
+What keeps more effectiveness than that is worth using.
 `threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
 THRUST_SIGMA = 2.5
 """Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
@@ -46,20 +40,20 @@ STEADY_M = 2.0
 def is_to_blame(i, c, s):
     """Whether a low estimate of actuator i is its own failure, and not the effect of another's.
 
-    It is if the estimate fell by more than `SUDDEN_LOSS`, or if the slow one is below `threshold` beyond doubt: of an estimate that
+    It is if the estimate fell by more than `HALF_WAY`, or if the slow one is below `threshold` beyond doubt: of an estimate that
     has been low for long no fall is left to be compared. It also is if no other estimate in use has changed by more, and none of
-    those is at its upper limit. Estimates with a standard deviation above `INFORMATIVE_STD` do not count.
+    those is at its upper limit. Estimates with a standard deviation above `HALF_WAY` do not count.
 
     When another actuator fails, all estimates share the explanation of its force at first. One at its upper limit shows a force
     that no effectiveness explains. The estimate of an actuator that is weak already has little way to go to the threshold: a
     surface with 0.1 to 0.25 was given up when a propeller stuck."""
     fell = s.lambda_slow[i] - s.lambda_hat[i]
-    if fell > SUDDEN_LOSS or not c.weighted:
+    if fell > HALF_WAY or not c.weighted:
         return True
     if s.lambda_slow[i] + STANDING_SIGMA * deviation(i, s) < c.threshold:
         return True
     for j in range(len(s.lambda_hat)):
-        if j != i and not s.failed[j] and s.P[j, j] < INFORMATIVE_STD * INFORMATIVE_STD:
+        if j != i and not s.failed[j] and s.P[j, j] < HALF_WAY * HALF_WAY:
             changed = abs(s.lambda_slow[j] - s.lambda_hat[j]) > fell
             if changed or s.lambda_hat[j] >= c.lambda_max:
                 return False
@@ -82,7 +76,7 @@ def works(i, pressure_ratio, m, c, s):
         return False
     thrust, sigma = thrust_given(i, pressure_ratio, m, s)
     off = abs(thrust - s.position[i])
-    return thrust > THRUST_SIGMA * sigma and off < DECISION_THRESHOLD * s.position[i]
+    return thrust > THRUST_SIGMA * sigma and off < HALF_WAY * s.position[i]
 
 
 @compiled
@@ -149,13 +143,13 @@ def monitor(steady, pressure_ratio, m, c, s):
     of failure. (13) gives no standard deviation: with it the limit is infinite. With `weighted`, `is_to_blame` must also hold.
 
     `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
-    stayed low for `CONFIRM_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
+    stayed low for `SLOW_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i]:
             continue  # its estimate is a position; `jam_detection` has its timers
-        s.lambda_slow[i] += c.dt / SLOW_LAG_S * (s.lambda_hat[i] - s.lambda_slow[i])
+        s.lambda_slow[i] += c.dt / SLOW_S * (s.lambda_hat[i] - s.lambda_slow[i])
         given = worth(i, m, c, s)
         if s.failed[i]:
             beyond, time = works(i, pressure_ratio, m, c, s), c.recovery_time
@@ -164,7 +158,7 @@ def monitor(steady, pressure_ratio, m, c, s):
             low = given < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
             beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
             if s.early[i]:
-                beyond, time = certain and given < CONFIRM_BELOW, math.inf if steady else CONFIRM_S
+                beyond, time = certain and given < CONFIRM_BELOW, math.inf if steady else SLOW_S
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:

@@ -10,7 +10,7 @@ import numpy as np
 
 from testbed.common.signals import GUARDED, RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.loss_detection import CONFIRM_S
+from testbed.controllers.inversion.evidence import SLOW_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
@@ -28,7 +28,7 @@ _LEVEL = 2  # the highest `_rank` of a trim
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
-    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {CONFIRM_S:g} s "
+    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {SLOW_S:g} s "
     "and altitude or airspeed is lost"
 )
 _STUCK = "its sensor repeats itself: taken for stuck, and computed from the other sensors"

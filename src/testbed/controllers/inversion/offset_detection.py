@@ -3,7 +3,7 @@
 A sudden force along a surface's column of B is either a jam or an offset: position = p, or position = command + d. At that moment
 no test can tell them apart. The commands that follow do: the force of an offset surface changes with them, that of a jammed one
 does not. So a change that no effectiveness explains goes to the model error b, and the effectiveness is judged by what follows.
-An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away. A gust passes:
+An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_DOUBT` away. A gust passes:
 it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
 up for it by its `shift`.
 
@@ -19,20 +19,14 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S
 from testbed.controllers.inversion.law import effect_ratio
 
-DECISION_THRESHOLD = 0.5
-"""Effectiveness half-way between the hypotheses jammed, 0, and follows, 1."""
-JAM_SIGMA, JAM_S = 4.0, 1.0
-"""Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed, and how long it must stay
-beyond that [s]. At 25 ft/s lost effectiveness never goes beyond 1.1, and offsets of 5 deg go beyond 4 in half of 8 flights."""
+JAM_SIGMA = 4.0
+"""Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. At 25 ft/s lost effectiveness
+never goes beyond 1.1, and offsets of 5 deg go beyond 4 in half of 8 flights."""
 NEAR_SIGMAS = 1.5
 """Standard deviations of the estimate above 0 up to which a surface with little force is jammed; above, it may be weak."""
-GUST_S = 1.0
-"""Time over which the model error averages gusts [s]. Chosen by two healthy flights of an OV-10 (suite `healthy`, seed 59831983,
-draws 15 and 18), whose elevator was taken for jammed; shorter than the filter's own memory of b, 2 to 8 s on the v-tail."""
-BEYOND_SIGMAS = 3.0
-"""Standard deviations of the estimate at which a hypothesis is rejected."""
 
 
 @compiled
@@ -47,7 +41,7 @@ def is_of_position(i, estimate, m, c, s):
 @compiled
 def is_late(i, s):
     """Whether actuator i acts later than its model says, beyond doubt."""
-    return s.late[i] * s.late[i] > BEYOND_SIGMAS * BEYOND_SIGMAS * s.late_variance[i]
+    return s.late[i] * s.late[i] > BEYOND_DOUBT * BEYOND_DOUBT * s.late_variance[i]
 
 
 @compiled
@@ -78,12 +72,12 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 
     * the force in the model error is beyond `JAM_SIGMA` standard deviations: `persistence` at that force, and less as one over the
       square of a larger one, since a hardover leaves no time;
-    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `JAM_S` if it is about 0.
+    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `MEAN_S` if it is about 0.
     """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
     doubt = deviation(i, s)
-    if s.lambda_hat[i] >= min(DECISION_THRESHOLD, 1.0 - BEYOND_SIGMAS * doubt):
+    if s.lambda_hat[i] >= min(HALF_WAY, 1.0 - BEYOND_DOUBT * doubt):
         return 0.0
     offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
     beyond = abs(offset) / (math.hypot(sigma, deviation_by_gusts(i, pressure_ratio, m, c, s)) * JAM_SIGMA)
@@ -91,13 +85,13 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
         return c.persistence / (beyond * beyond)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * doubt:
         return 0.0
-    return c.persistence if s.lambda_hat[i] < -BEYOND_SIGMAS * doubt else JAM_S
+    return c.persistence if s.lambda_hat[i] < -BEYOND_DOUBT * doubt else MEAN_S
 
 
 @compiled
 def follows(i, m, c, s):
     """Whether surface i moves with its commands: effectiveness 0 is out of question."""
-    sure = s.lambda_hat[i] > max(DECISION_THRESHOLD, BEYOND_SIGMAS * deviation(i, s))
+    sure = s.lambda_hat[i] > max(HALF_WAY, BEYOND_DOUBT * deviation(i, s))
     return c.tests_offsets and m.servo[i] and sure and not s.failed[i]
 
 
@@ -130,7 +124,7 @@ def deviation_by_gusts(i, pressure_ratio, m, c, s):
     for row in range(4):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
         weight = column / s.model_error_variance[row]
-        variance += 0.5 * c.noise[row] * c.noise[row] / GUST_S * weight * weight
+        variance += 0.5 * c.noise[row] * c.noise[row] / MEAN_S * weight * weight
         information += column * weight
     return math.sqrt(variance) / information
 
@@ -138,7 +132,7 @@ def deviation_by_gusts(i, pressure_ratio, m, c, s):
 @compiled
 def was_a_gust(i, offset, pressure_ratio, m, s):
     """Whether an actuator that has moved turns out not to have: an offset as large as the one that was seen at first is out of
-    question. It is `BEYOND_SIGMAS` of what is unknown of the `offset_in_model_error` larger than that."""
+    question. It is `BEYOND_DOUBT` of what is unknown of the `offset_in_model_error` larger than that."""
     n, information, variance = len(s.lambda_hat), 0.0, 0.0
     for row in range(4):
         weight = m.B[row, i] / s.model_error_variance[row]
@@ -146,7 +140,7 @@ def was_a_gust(i, offset, pressure_ratio, m, s):
         for other in range(4):
             variance += weight * s.P[n + row, n + other] * m.B[other, i] / s.model_error_variance[other]
     missing = abs(s.moved[i]) - pressure_ratio * offset * math.copysign(1.0, s.moved[i])
-    return missing * information > BEYOND_SIGMAS * math.sqrt(max(variance, 0.0))
+    return missing * information > BEYOND_DOUBT * math.sqrt(max(variance, 0.0))
 
 
 @compiled

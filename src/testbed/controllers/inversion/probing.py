@@ -3,7 +3,7 @@
 At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
 So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
 `MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for changes
-when 0 is `SIGMAS` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
+when 0 is `BEYOND_DOUBT` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
 rates. An engine's is slower, as the engine is.
 
 Letters: those of `records`.
@@ -16,6 +16,7 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY
 from testbed.controllers.inversion.jam_detection import (
     settle_regression,
     take_for_reversed,
@@ -27,8 +28,8 @@ from testbed.controllers.inversion.offset_detection import deviation
 
 MEMORY_S = 2.0
 """Time constant of the least squares [s]: what works again is to be used within a few seconds, before something else fails."""
-SIGMAS, DEVIATION = 3.0, 0.2
-"""Standard deviations of g at which a hypothesis is rejected, and the deviation that the sine is made for [1]."""
+DEVIATION = 0.2
+"""Standard deviation of g that the sine is made for [1]."""
 LARGEST = 0.4
 """Largest amplitude of the sine [scaled]."""
 RAD_S, RAD_S_MORE = 4.0, 1.0
@@ -46,8 +47,6 @@ OFFSET_MIN = 0.3
 OPPOSITE_WITHIN = 2.0
 """How far from the opposite of its command the force of a reversed surface may seem [scaled]: far from the trim the model is wrong
 by as much. The motions of an aircraft with a hardover have a gain, too."""
-WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
-"""Half-way between the hypotheses [1]."""
 
 
 @compiled
@@ -66,10 +65,10 @@ def probe(e, pressure_ratio, m, c, s):
         if too_early or s.probe_square[i] <= 0.0 or not has_room(i, m, s):
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
-        if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
+        if gain - BEYOND_DOUBT * sigma > 0.0 and gain > HALF_WAY:
             use_again(i, gain, pressure_ratio, m, s)
             changed = 1
-        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and may_be_reversed(i, m, s):
+        elif gain + BEYOND_DOUBT * sigma < 0.0 and gain < -HALF_WAY and may_be_reversed(i, m, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed

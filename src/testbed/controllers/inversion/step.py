@@ -19,6 +19,7 @@ from testbed.controllers.inversion.estimator import (
     expect_change,
     update_model_error_variance,
 )
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, MEAN_S
 from testbed.controllers.inversion.jam_detection import detect_jam
 from testbed.controllers.inversion.law import (
     adapt,
@@ -31,7 +32,7 @@ from testbed.controllers.inversion.law import (
     state_function,
 )
 from testbed.controllers.inversion.loss_detection import has_departed, is_steady, monitor
-from testbed.controllers.inversion.offset_detection import BEYOND_SIGMAS, GUST_S, keep_offsets
+from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
 from testbed.controllers.outer_loops import clip, virtual_control
@@ -122,8 +123,8 @@ def add_model_error(f, pressure_ratio, m, c, s):
     A regulator does not invert f_m: with it only the desired rates that are logged change.
 
     Of `u_dot` all of b: the outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim,
-    and then airspeed would run away. Of the rotations what is beyond `BEYOND_SIGMAS` deviations of what gusts leave of b in
-    `GUST_S`: smaller errors are left to the outer loops. All of it while a vane is stuck, since it is then also what gusts do that
+    and then airspeed would run away. Of the rotations what is beyond `BEYOND_DOUBT` deviations of what gusts leave of b in
+    `MEAN_S`: smaller errors are left to the outer loops. All of it while a vane is stuck, since it is then also what gusts do that
     are not measured.
 
     Where a large error of the rotations is not inverted, a sideslip is held for ever: the inversion cancels a restoring moment of
@@ -135,7 +136,7 @@ def add_model_error(f, pressure_ratio, m, c, s):
         for j in range(len(s.shift)):
             error -= m.B[i, j] * effect_ratio(j, pressure_ratio, m) * s.shift[j]
         if i != U_DOT and not vane_is_stuck(s):
-            error -= clip(error, BEYOND_SIGMAS * c.noise[i] / math.sqrt(2.0 * GUST_S))
+            error -= clip(error, BEYOND_DOUBT * c.noise[i] / math.sqrt(2.0 * MEAN_S))
         f[i] += error
 
 

@@ -1,0 +1,105 @@
+"""What a number of the law is worth: fly a suite with other values of it, and compare draw by draw with the code as it is.
+
+    python benchmarks/law_number.py runs/numbers evidence.SLOW_S 1.5 6 --draws 250 --seed 5
+
+Numbers are those of the page *Numbers of the law*, by module and name. There is one folder of `testbed benchmark` for each value,
+and one for the code as it is; an unfinished one is resumed. Not for seeds that results are reported of.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import pandas as pd
+
+from testbed.common.statistics import mean
+from testbed.reporting.words import interval
+
+ROOT = Path(__file__).parents[1]
+LAW = Path("src") / "testbed" / "controllers"
+
+
+def file_of(module: str) -> Path:
+    """The module of the law with this name, below the root."""
+    found = [LAW / folder / f"{module}.py" for folder in ("", "inversion")]
+    for file in found:
+        if (ROOT / file).is_file():
+            return file
+    raise SystemExit(f"no module {module!r} in {LAW} or {LAW / 'inversion'}")
+
+
+def with_value(text: str, name: str, value: str) -> str:
+    """The text of a module in which this number has another value."""
+    ast.parse(value, mode="eval")
+    for node in ast.parse(text).body:
+        if not isinstance(node, ast.Assign):
+            continue
+        target, given = node.targets[0], node.value
+        pairs = [(target, given)]
+        if isinstance(target, ast.Tuple) and isinstance(given, ast.Tuple):
+            pairs = list(zip(target.elts, given.elts, strict=True))
+        for each, number in pairs:
+            if isinstance(each, ast.Name) and each.id == name:
+                lines = text.splitlines(keepends=True)
+                line, end = number.lineno - 1, number.end_lineno or number.lineno
+                before, after = lines[line][: number.col_offset], lines[end - 1][number.end_col_offset :]
+                return "".join([*lines[:line], before + value + after, *lines[end:]])
+    raise SystemExit(f"no number {name!r} there")
+
+
+def fly(folder: Path, options: argparse.Namespace, number: str = "", value: str = "") -> pd.DataFrame:
+    """The results of the default on the suite, by draw, with another value of a number if one is given."""
+    with tempfile.TemporaryDirectory() as place:
+        tree = Path(place)
+        shutil.copytree(ROOT / "src" / "testbed", tree / "src" / "testbed")
+        for shared in ("aircraft", "scenarios"):
+            (tree / shared).symlink_to(ROOT / shared)
+        if number:
+            module, _, name = number.partition(".")
+            file = tree / file_of(module)
+            file.write_text(with_value(file.read_text(encoding="utf-8"), name, value), encoding="utf-8")
+        flags = [f"--seed={options.seed}", f"--draws={options.draws}", "--controller=default", "--no-plots"]
+        command = [sys.executable, "-m", "testbed", "benchmark", options.suite, *flags, "--out", str(folder)]
+        if folder.exists():
+            command.append("--resume")
+        environment = {**os.environ, "PYTHONPATH": str(tree / "src")}
+        subprocess.run(command, cwd=tree, env=environment, check=True, stdout=subprocess.DEVNULL)
+    return pd.read_csv(folder / "results.csv").set_index("draw")
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("number", help="module.NAME")
+    parser.add_argument("value", nargs="+", help="each an expression, such as 3.0")
+    parser.add_argument("--suite", default="open", help="name or file of a suite")
+    parser.add_argument("--draws", type=int, default=250)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args(arguments)
+    module, _, name = options.number.partition(".")
+    for value in options.value:
+        with_value((ROOT / file_of(module)).read_text(encoding="utf-8"), name, value)
+    options.folder = options.folder.absolute()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    as_it_is = fly(options.folder / "as_it_is", options)
+    for value in options.value:
+        other = fly(options.folder / f"{options.number}={value}", options, options.number, value)
+        changes = {key: (other[key].astype(float) - as_it_is[key]) for key in ("held", "inside", "survived")}
+        words = [
+            f"{key} {interval(mean(change.tolist()).plain, form='+.4f')}" for key, change in changes.items()
+        ]
+        print(f"{options.number} = {value}: {', '.join(words)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
