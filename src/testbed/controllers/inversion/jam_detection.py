@@ -20,7 +20,6 @@ from testbed.controllers.inversion.estimator import (
 )
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
-from testbed.controllers.inversion.loss_detection import THRUST_SIGMA, thrust_given
 from testbed.controllers.inversion.offset_detection import (
     JAM_SIGMA,
     deviation,
@@ -33,21 +32,14 @@ from testbed.controllers.inversion.offset_detection import (
 )
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
+RECENT_FLAG_S = 2.0
+"""Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 REVERSED_S = 0.02
 """On an aircraft that is unstable in pitch, how long an estimate must be below zero beyond doubt [s]: it is beyond the stall before
 the standard deviation is small."""
-RECENT_FLAG_S = 2.0
-"""Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
-RESIDUAL_THRUST = 0.3
-"""Share of the trim thrust that a flagged motor must give to be taken for jammed."""
-ENGINE_S = 8.0
-"""How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
-climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
-ROUGH_S = 0.05
-"""How long the position of a jam is a rough estimate [s], from which no way is measured."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
@@ -78,7 +70,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     changed = 0
     for i in range(len(s.lambda_hat)):
         still = time_to_stand_still(i, pressure_ratio, m, c, s)
-        time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
+        time = still if still > 0.0 else time_to_jam(i, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         explained = s.jam_timer[i] > (MEAN_S if m.servo[i] else SLOW_S)
@@ -108,21 +100,15 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def time_to_jam(i, pressure_ratio, m, c, s):
-    """How long an actuator that `acts_reversed`, `has_force_of_its_own` or `keeps_thrust` must do so until it is taken for jammed
-    [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough. The others
-    take an engine that is probed `ENGINE_S`."""
+def time_to_jam(i, m, c, s):
+    """How long an actuator that `acts_reversed`, `stands_at_a_stop` or `has_force_of_its_own` must do so until it is taken for
+    jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough."""
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
     if stands_at_a_stop(i, m, c, s):
         return MEAN_S
-    own_force = has_force_of_its_own(i, c, s)
-    if backwards or (own_force and not m.engine[i]):
-        return c.persistence
-    if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
-        return ENGINE_S if m.engine[i] and c.probes else MEAN_S
-    return 0.0
+    return c.persistence if backwards or has_force_of_its_own(i, m, c, s) else 0.0
 
 
 @compiled
@@ -133,6 +119,15 @@ def stands_at_a_stop(i, m, c, s):
     in_use = c.weighted and m.servo[i] and not (s.failed[i] or s.jammed[i] or s.reversed[i])
     at_stop = s.saturated and s.at_stop[i] != 0
     return s.departed and in_use and at_stop and s.lambda_hat[i] < OF_NO_USE
+
+
+@compiled
+def has_force_of_its_own(i, m, c, s):
+    """Whether a flagged actuator's estimate is at a limit. It is commanded to its trim position, and a force that no effectiveness
+    there explains is that of another position. Not an engine: the estimate of one that works again may pass its limit."""
+    at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
+    lost = s.failed[i] and not s.jammed[i] and not s.reversed[i]
+    return c.weighted and not m.engine[i] and lost and at_limit
 
 
 @compiled
@@ -178,7 +173,7 @@ def follow_way_back(i, m, c, s):
     there: when a jam is flagged, the command of a reversed actuator may still move away from the trim position."""
     s.since_flag[i] += c.dt
     farther = abs(m.trim_position[i] + s.lambda_hat[i]) > abs(m.trim_position[i] + s.jammed_at[i])
-    if s.since_flag[i] < ROUGH_S or (s.since_flag[i] < REVERSAL_S and farther):
+    if s.since_flag[i] < REVERSAL_S and farther:
         s.jammed_at[i] = s.lambda_hat[i]
 
 
@@ -218,24 +213,6 @@ def take_for_working(i, effectiveness, variance, s):
     s.flag_timer[i], s.since_flag[i] = 0.0, 0.0
     s.lambda_hat[i], s.lambda_slow[i] = effectiveness, effectiveness
     reset_covariance(i, variance, s)
-
-
-@compiled
-def has_force_of_its_own(i, c, s):
-    """Whether a flagged actuator's estimate is at a limit. It is commanded to its trim position, and a force that no effectiveness
-    there explains is that of another position."""
-    at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
-    return c.weighted and s.failed[i] and not s.jammed[i] and not s.reversed[i] and at_limit
-
-
-@compiled
-def keeps_thrust(i, pressure_ratio, m, c, s):
-    """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
-    thrust has not followed its command down."""
-    if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
-        return False
-    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
-    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
 
 
 @compiled

@@ -7,42 +7,24 @@ Letters: those of `records`.
 
 from __future__ import annotations
 
-import math
-
 from testbed.common.jit import compiled
-from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
-from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import (
     deviation,
-    offset_in_model_error,
 )
 from testbed.controllers.outer_loops import wrap
 
-STANDING_SIGMA = 2.0
-"""Present standard deviations by which the slow estimate must be below `threshold` to be low beyond doubt, however it came there.
-An estimate of 0 needs one of 0.03."""
-CONFIRM_BELOW = 0.15
-"""An actuator without which altitude cannot be held is given up only when its estimate has stayed below this [1] for `SLOW_S`.
-What keeps more effectiveness than that is worth using.
-`threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
-THRUST_SIGMA = 2.5
-"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
-half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 MUCH_MORE = 3.0
 """Ratio of two motors' thrust [1] that is no noise of the estimates."""
-STEADY_M = 2.0
-"""Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
 
 
 @compiled
 def is_to_blame(i, c, s):
     """Whether a low estimate of actuator i is its own failure, and not the effect of another's.
 
-    It is if the estimate fell by more than `HALF_WAY`, or if the slow one is below `threshold` beyond doubt: of an estimate that
-    has been low for long no fall is left to be compared. It also is if no other estimate in use has changed by more, and none of
-    those is at its upper limit. Estimates with a standard deviation above `HALF_WAY` do not count.
+    It is if the estimate fell by more than `HALF_WAY`, or if no other estimate in use has changed by more and none of those is at
+    its upper limit.
 
     When another actuator fails, all estimates share the explanation of its force at first. One at its upper limit shows a force
     that no effectiveness explains. The estimate of an actuator that is weak already has little way to go to the threshold: a
@@ -50,10 +32,8 @@ def is_to_blame(i, c, s):
     fell = s.lambda_slow[i] - s.lambda_hat[i]
     if fell > HALF_WAY or not c.weighted:
         return True
-    if s.lambda_slow[i] + STANDING_SIGMA * deviation(i, s) < c.threshold:
-        return True
     for j in range(len(s.lambda_hat)):
-        if j != i and not s.failed[j] and s.P[j, j] < HALF_WAY * HALF_WAY:
+        if j != i and not s.failed[j]:
             changed = abs(s.lambda_slow[j] - s.lambda_hat[j]) > fell
             if changed or s.lambda_hat[j] >= c.lambda_max:
                 return False
@@ -61,53 +41,16 @@ def is_to_blame(i, c, s):
 
 
 @compiled
-def works(i, pressure_ratio, m, c, s):
+def works(i, c, s):
     """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` and `CONFIRM_BELOW` beyond doubt. An engine that does not turn the aircraft also works if its thrust is about that
-    of its position (`thrust_given`): if it is stuck there, the commands that follow show it."""
+    `threshold` beyond doubt."""
     if s.lambda_hat[i] > c.recovery:
         return True
     if not c.weighted:
         return False
-    least = max(c.threshold + c.threshold_rise[i], CONFIRM_BELOW) + STANDING_SIGMA * deviation(i, s)
-    if min(s.lambda_slow[i], s.lambda_hat[i]) > least:
-        return True
-    if m.servo[i] or c.turns[i]:
-        return False
-    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
-    off = abs(thrust - s.position[i])
-    return thrust > THRUST_SIGMA * sigma and off < HALF_WAY * s.position[i]
-
-
-@compiled
-def thrust_given(i, pressure_ratio, m, s):
-    """What a motor or engine gives [scaled], and its standard deviation: what its estimate says and what the model's error holds
-    along its column of B. While its command stands still, the filter cannot tell the two apart."""
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    return s.lambda_hat[i] * s.position[i] + offset, sigma
-
-
-@compiled
-def believe_thrust(i, pressure_ratio, m, c, s):
-    """Ascribe what an engine gives beyond its estimate, up to all of its position, to its effectiveness, and no longer to the model
-    error."""
-    if s.position[i] <= 0.0:
-        return
-    believed = min(thrust_given(i, pressure_ratio, m, s)[0] / s.position[i], 1.0)
-    more = max(believed - s.lambda_hat[i], 0.0)
-    for row in range(4):
-        s.b[row] -= m.B[row, i] * more * s.position[i]
-    s.lambda_hat[i] += more
-    s.lambda_slow[i] = s.lambda_hat[i]
-    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
-
-
-@compiled
-def is_steady(y, ref):
-    """Whether the flight goes on as it should: altitude is within `STEADY_M` of its reference, and the energy that is missing as
-    airspeed is worth less than `STEADY_M` of altitude. Without an engine, altitude is kept until airspeed is lost."""
-    missing = (ref.airspeed * ref.airspeed - y.airspeed * y.airspeed) / (2.0 * GRAVITY_M_S2)
-    return abs(ref.altitude - y.altitude) < STEADY_M and missing < STEADY_M
+    return min(s.lambda_slow[i], s.lambda_hat[i]) > c.threshold + c.threshold_rise[
+        i
+    ] + BEYOND_DOUBT * deviation(i, s)
 
 
 @compiled
@@ -134,7 +77,7 @@ def worth(i, m, c, s):
 
 
 @compiled
-def monitor(steady, pressure_ratio, m, c, s):
+def monitor(m, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when it
     `works` for the `recovery_time`. Returns 1 if a flag changed.
 
@@ -143,27 +86,23 @@ def monitor(steady, pressure_ratio, m, c, s):
     of failure. (13) gives no standard deviation: with it the limit is infinite. With `weighted`, `is_to_blame` must also hold.
 
     `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
-    stayed low for `SLOW_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
+    stayed low for `SLOW_S`.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i]:
             continue  # its estimate is a position; `jam_detection` has its timers
         s.lambda_slow[i] += c.dt / SLOW_S * (s.lambda_hat[i] - s.lambda_slow[i])
-        given = worth(i, m, c, s)
         if s.failed[i]:
-            beyond, time = works(i, pressure_ratio, m, c, s), c.recovery_time
+            beyond, time = works(i, c, s), c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-            low = given < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
-            beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
-            if s.early[i]:
-                beyond, time = certain and given < CONFIRM_BELOW, math.inf if steady else SLOW_S
+            low = worth(i, m, c, s) < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
+            beyond = low and certain and (s.early[i] or is_to_blame(i, c, s))
+            time = SLOW_S if s.early[i] else c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
-            if s.failed[i] and c.weighted and not (m.servo[i] or c.turns[i]):
-                believe_thrust(i, pressure_ratio, m, c, s)
             s.early[i] = 1 if c.weighted and not s.failed[i] and not s.early[i] else 0
             s.failed[i] = 0 if s.failed[i] else 1
             s.flag_timer[i], s.since_flag[i] = 0.0, 0.0

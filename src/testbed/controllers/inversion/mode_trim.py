@@ -24,14 +24,9 @@ from testbed.controllers.inversion.steady_flights import (
 )
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 
-_BEYOND_STOPS = 1.3
-"""Factor on the stops within which a trim is accepted as a last resort. A model with errors of 20 % can place a trim that far
-off, and regulating about a trim near the true one is better than having none."""
-_BETA_MAX = 0.4
-"""Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not."""
-_BANK_MAX = 0.35
-"""Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
-aircraft."""
+_ANGLE_MAX = 0.35
+"""Sideslip or bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip,
+carries the aircraft."""
 _WINGS_LEVEL = 0.03
 """Bank [rad] up to which the wings are level, which a mode that does not control pitch must have. Where it has level flights only
 with more, one at another airspeed without is preferred: the linear model balances pitch by the drag of a sideslip, and the
@@ -41,18 +36,9 @@ _ANGLE = 0.1
 _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
 """Searched after a jam, in units of the reference airspeed. Drag balances a propeller at full throttle at 1.4 of it, and at up to
 1.8 on a model with errors of 20 %."""
-_PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
-_MARGIN_OF_LEVEL_FLIGHT = 0.15
-"""Scaled margin that the best level trim must have after a jam, or flights that are not level are searched too: with less, the
-model's error decides whether there is a level trim.
-
-It is asked of the best one alone. Asked of each, it would exclude the trims at some airspeeds by the estimated position of the jam,
-and so decide by an uncertain number whether the aircraft has to slow down."""
+_PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if there is no level flight
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has no margin to descend with."""
-_NEARLY_LEVEL = 0.03
-"""With a stuck motor, a flight whose path angle [rad] is smaller than this is taken for level: this is a third of an aircraft's
-drag over its weight. Altitude is held then, and given up only while the aircraft is too slow."""
 _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its stop is within it
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same in a descent: half of it is worth less than the altitude that it costs
@@ -64,8 +50,8 @@ _EVERYTHING = ("airspeed", "altitude", "heading")
 
 Preference = Callable[[SteadyFlight], np.ndarray]
 """[m] how good each of m flights is; the best is the one with the highest number."""
-Attempt = tuple[SteadyFlight, tuple[str, ...], Preference, float]
-"""Flights, the outputs held in them, which is preferred, and the factor on the stops within which they must be."""
+Attempt = tuple[SteadyFlight, tuple[str, ...], Preference]
+"""Flights, the outputs held in them, and which is preferred."""
 
 
 class NoSteadyFlight(ValueError):
@@ -95,8 +81,8 @@ def steady_flight(
     if degraded.available.sum() < 2:
         raise NoSteadyFlight(f"{title}: one actuator cannot hold altitude and heading")
     search = _after_a_jam if degraded.jammed else _after_losses
-    for flights, held, preference, stop_factor in search(degraded, loops):
-        flight = _best(flights.only(margins(degraded, flights, stop_factor) >= 0.0), preference)
+    for flights, held, preference in search(degraded, loops):
+        flight = _best(flights.only(margins(degraded, flights) >= 0.0), preference)
         if flight is not None:
             return flight, held
     raise NoSteadyFlight(f"{title}: no steady flight within the stops, level, climbing or descending")
@@ -152,27 +138,22 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     around = reference + np.array([0.0, -2.0, 2.0, -4.0, 4.0, 8.0])
     if degraded.available.sum() < 3 or not motor:
         if motor:
-            yield level(degraded, around), ("altitude", "heading"), _nearest(reference), 1.0
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
+            yield level(degraded, around), ("altitude", "heading"), _nearest(reference)
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
         elif not degraded.servos.all():
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
-        yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
+        yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference)
         return
     wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
     near = _wings_level(degraded, at_path_angles(degraded, faster, np.zeros(5)))
     anywhere = _wings_level(degraded, _level_anywhere(degraded))
-    level_flights = ((near, 1.0), (near, _BEYOND_STOPS), (anywhere, 1.0))
-    at_any = [(flights, _EVERYTHING, _nearest(wanted), stops) for flights, stops in level_flights]
-    at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
+    at_any = [(flights, _EVERYTHING, _nearest(wanted)) for flights in (near, anywhere)]
+    at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted)
     yield from (*at_any, at_one) if degraded.pitch_controlled else (at_one, *at_any)
-    yield (
-        _wings_level(degraded, _anywhere(degraded)),
-        ("airspeed", "heading"),
-        _roomiest(degraded, wanted),
-        1.0,
-    )
-    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
+    at_paths = _wings_level(degraded, _anywhere(degraded))
+    yield at_paths, ("airspeed", "heading"), _roomiest(degraded, wanted)
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded)
 
 
 def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
@@ -181,29 +162,24 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     preference = _roomiest(degraded, wanted)
     if degraded.available.sum() < 3 or not _has_motor(degraded):
         if _has_motor(degraded):
-            yield _level_at_one(degraded), ("altitude", "heading"), preference, 1.0
+            yield _level_at_one(degraded), ("altitude", "heading"), preference
         elif degraded.thrusts:
             yield from _with_stuck_thrust(degraded)
-        yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
+        yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference
         return
     flights, one = _level_anywhere(degraded), _wings_level(degraded, _level_at_one(degraded))
     at_any, at_one = (_wings_level(degraded, flights), _EVERYTHING), (one, ("altitude", "heading"))
     in_order = (at_any, at_one) if degraded.pitch_controlled else (at_one, at_any)
     for level_flights, held in (*in_order, (flights, _EVERYTHING)):
-        if margins(degraded, level_flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
-            yield level_flights, held, preference, 1.0
-    yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
-    yield flights, _EVERYTHING, preference, _BEYOND_STOPS
-    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
+        yield level_flights, held, preference
+    yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded)
 
 
 def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
-    yield _level_at_one(degraded), ("altitude", "heading"), _fastest, 1.0
-    flights = _at_any_airspeed(degraded)
-    nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
-    yield nearly_level, ("altitude", "heading"), _fastest, 1.0
-    yield flights, ("airspeed", "heading"), _nearest_level(degraded), 1.0
+    yield _level_at_one(degraded), ("altitude", "heading"), _fastest
+    yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
 
 
 def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
@@ -266,27 +242,24 @@ def _nearest_level(degraded: DegradedAircraft) -> Preference:
     return _by_margin(degraded, _MARGIN_OF_A_GLIDE, worth)
 
 
-def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
+def margins(degraded: DegradedAircraft, flights: SteadyFlight) -> np.ndarray:
     """[m] scaled distance to the nearest stop, or to the largest plausible angle, of each of m flights; negative beyond it.
 
     A distance to a stop is worth what it balances of gusts, whose moments grow with airspeed. The moments of surfaces grow with its
     square, and thrust does not grow. So a distance of thrust counts less above the reference airspeed, in proportion to V_0/V, and
     one of a surface less below it, in proportion to V/V_0.
-
-    Args:
-        stop_factor: the stops are multiplied by this.
     """
     used, state = degraded.used, flights.state
     least, most = degraded.bounds(state[:, AIRSPEED])
-    low = np.maximum(stop_factor * degraded.limits[:, 0], least)[:, used]
-    high = np.minimum(stop_factor * degraded.limits[:, 1], most)[:, used]
+    low = np.maximum(degraded.limits[:, 0], least)[:, used]
+    high = np.minimum(degraded.limits[:, 1], most)[:, used]
     positions = flights.positions[:, used]
     airspeed_ratio = state[:, [AIRSPEED]] / degraded.model.airspeed_m_s
     worth = np.minimum(np.where(degraded.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
     to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
     to_stall = (degraded.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
-    to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
-    to_bank = (_BANK_MAX - np.abs(state[:, ROLL])) / _ANGLE
+    to_sideslip = (_ANGLE_MAX - np.abs(state[:, BETA])) / _ANGLE
+    to_bank = (_ANGLE_MAX - np.abs(state[:, ROLL])) / _ANGLE
     return np.minimum.reduce([to_stops, to_stall, to_sideslip, to_bank]) + _ROUNDING
 
 

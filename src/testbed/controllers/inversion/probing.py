@@ -23,7 +23,6 @@ from testbed.controllers.inversion.jam_detection import (
     take_for_working,
 )
 from testbed.controllers.inversion.law import effect_ratio
-from testbed.controllers.inversion.loss_detection import STANDING_SIGMA
 from testbed.controllers.inversion.offset_detection import deviation
 
 MEMORY_S = 2.0
@@ -42,8 +41,6 @@ AT_LEAST_RAD = 3.0 * math.pi
 LARGEST_CHANGE = 10.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
 is a larger one."""
-OFFSET_MIN = 0.3
-"""Offset [scaled] below which an actuator that works again has none: what gusts leave of its estimated position."""
 OPPOSITE_WITHIN = 2.0
 """How far from the opposite of its command the force of a reversed surface may seem [scaled]: far from the trim the model is wrong
 by as much. The motions of an aircraft with a hardover have a gain, too."""
@@ -62,7 +59,7 @@ def probe(e, pressure_ratio, m, c, s):
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
         too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
-        if too_early or s.probe_square[i] <= 0.0 or not has_room(i, m, s):
+        if too_early or s.probe_square[i] <= 0.0:
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
         if gain - BEYOND_DOUBT * sigma > 0.0 and gain > HALF_WAY:
@@ -75,22 +72,12 @@ def probe(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def has_room(i, m, s):
-    """Whether an actuator is where its probe can move it: one that is held at its stop cannot show a gain, unless it is trimmed
-    there."""
-    low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
-    return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
-
-
-@compiled
 def may_be_reversed(i, m, s):
-    """Whether the force of a surface at its trim position may be that of a reversed one, and is needed: the flight has departed,
-    and the surface is held near the opposite of its command, or lost and its estimate is below zero beyond doubt. One that has just
-    begun to work again has a gain of any sign; so has one that moves slowly, or swings at about the sine's frequency, and a flight
-    that goes on without it loses by the mistake."""
+    """Whether the force of a surface at its trim position may be that of a reversed one: it is held near the opposite of its
+    command, or lost and its estimate is below zero beyond doubt. One that has just begun to work again has a gain of any sign."""
     opposite = abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
-    wrong_way = s.lambda_hat[i] + STANDING_SIGMA * deviation(i, s) < 0.0
-    return s.departed and m.servo[i] and (opposite if s.jammed[i] else wrong_way)
+    wrong_way = s.lambda_hat[i] + BEYOND_DOUBT * deviation(i, s) < 0.0
+    return m.servo[i] and (opposite if s.jammed[i] else wrong_way)
 
 
 @compiled
@@ -153,7 +140,7 @@ def use_again(i, gain, pressure_ratio, m, s):
         offset = s.lambda_hat[i] - s.probe_lags[i, 1]
         for row in range(4):
             s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
-        s.offset[i] = offset if m.servo[i] and abs(offset) > OFFSET_MIN else 0.0
+        s.offset[i] = offset if m.servo[i] else 0.0
     take_for_working(i, min(gain, 1.0), 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
     s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0

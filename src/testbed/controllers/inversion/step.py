@@ -31,7 +31,7 @@ from testbed.controllers.inversion.law import (
     regressor,
     state_function,
 )
-from testbed.controllers.inversion.loss_detection import has_departed, is_steady, monitor
+from testbed.controllers.inversion.loss_detection import has_departed, monitor
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
@@ -87,7 +87,7 @@ def estimate(y, ref, m, c, s, w):
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     s.departed = has_departed(y, ref, c)
-    if c.monitors and monitor(is_steady(y, ref), pressure_ratio, m, c, s):  # section 2.3
+    if c.monitors and monitor(m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
