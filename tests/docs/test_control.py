@@ -54,7 +54,7 @@ SENTENCES = [
     f"the same to the last digit for {sensor_guard.REPEATS_S:g} s",
     f"drawn within {sensor_guard.RECALL_S:g} s to that at which the angle of attack carries the weight",
     f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
-    f"more than {mode_trim._ANGLE_MAX:g} rad of bank is no trim",
+    f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
     f"so that the path follows within {scaling.PATH_LAG_S:g} s",
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",

@@ -171,6 +171,20 @@ def test_a_jam_that_no_trim_balances_is_flown_as_a_loss() -> None:
     assert modes.record[0].r_trim[0] == pytest.approx(SETUP.model.trim[0] / SETUP.scale[0])
 
 
+def test_a_level_trim_of_most_of_a_jam_comes_before_a_climb_that_balances_all() -> None:
+    setup = vtail_setup(WEATHER)
+    modes, s = switch_of(setup)
+    position = setup.limits[0, 1]
+    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, position
+    modes.switch(5)
+    texts = [text for _, text in modes.reasons]
+    assert (
+        "left_ruddervator failed: no level trim balances the jam; flies by that of 80 % of its force" in texts
+    )
+    assert not any("altitude cannot be held" in text for text in texts)
+    assert modes.record[0].r_trim[0] == pytest.approx(0.8 * position, abs=0.05)
+
+
 def test_an_aircraft_that_cannot_be_inverted_is_bad_input_before_the_flight() -> None:
     with pytest.raises(BadInput) as caught:
         switch_of(with_control(condition_max=2.0))

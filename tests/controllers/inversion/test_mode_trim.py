@@ -83,7 +83,7 @@ def test_margins_are_to_the_nearest_stop_or_angle() -> None:
     assert margin(position=top - 0.3) == pytest.approx(0.3)
     assert margin(position=top + 0.1) == pytest.approx(-0.1)
     assert margin(alpha=MODEL.stall_alpha_rad - 0.02) == pytest.approx(0.2)
-    assert margin(beta=-0.36) == pytest.approx(-0.1) == margin(beta=0.36)
+    assert margin(beta=-0.41) == pytest.approx(-0.1) == margin(beta=0.41)
     assert margin(position=0.0, airspeed=0.6 * V) < margin(position=0.0), "a slow propeller brakes less"
     assert margin(position=top - 0.3, airspeed=0.9 * V) == pytest.approx(0.27), (
         "a slow surface has less to oppose a gust"

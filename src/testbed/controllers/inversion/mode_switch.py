@@ -20,6 +20,11 @@ from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
+_JAM_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
+"""Of the jammed actuators' positions, for which a trim is looked for in turn where there is no level one with all of them."""
+
+_LEVEL = 2  # the highest `_rank` of a trim
+
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
@@ -97,7 +102,7 @@ class ModeSwitch:
             return self._report(step, mode.refused)
         regulator, reason = None, ""
         try:
-            regulator = self._regulator(mode, jammed) if mode.released else None
+            regulator = self._regulator(step, mode, jammed) if mode.released else None
         except NoSteadyFlight as none:
             reason = str(none)
         if regulator is not None and not _holds_altitude(regulator):
@@ -162,11 +167,31 @@ class ModeSwitch:
             for i in actuators:
                 self._report(step, f"{names[i]}: {text}")
 
-    def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator, about a trim with the jammed actuators' forces, or where none has them without these."""
-        with suppress(NoSteadyFlight):
-            return regulator_for(self._setup, mode, jammed)
-        return regulator_for(self._setup, mode, {})
+    def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+        """The mode's regulator, for all of the jammed actuators' forces, or where altitude cannot be held with them for the largest
+        of `_JAM_SHARES` of them with which it can: an aircraft that is not quite balanced strays less than one that climbs or sinks
+        for the balance. Where no share allows level flight, it is for the largest that has a trim; where the smallest has none,
+        without these forces. A share is taken to have a trim where a larger one has: they are tried upwards as long as they do."""
+
+        def of_share(share: float) -> Regulator | None:
+            with suppress(NoSteadyFlight):
+                return regulator_for(self._setup, mode, {i: share * x for i, x in jammed.items()})
+            return None
+
+        best, of = of_share(1.0), 1.0
+        least = _rank(best) + 1  # a part must be better than the whole, and no worse than a smaller part
+        if jammed and least <= _LEVEL:
+            for share in _JAM_SHARES:
+                part = of_share(share)
+                if _rank(part) < least:
+                    break
+                best, of, least = part, share, _rank(part)
+        if best is None:
+            return regulator_for(self._setup, mode, {})
+        if of < 1.0:
+            text = f"no level trim balances the jam; flies by that of {100 * of:.0f} % of its force"
+            self._report(step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed))
+        return best
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         s = self._memory[0]
@@ -247,6 +272,11 @@ class ModeSwitch:
 def _holds_altitude(regulator: Regulator | None) -> bool:
     """Without a regulator the outer loops hold it."""
     return regulator is None or "altitude" in regulator.held
+
+
+def _rank(regulator: Regulator | None) -> int:
+    """How good a trim there is: 0 none, 1 one on a path, `_LEVEL` a level one."""
+    return 0 if regulator is None else _LEVEL if _holds_altitude(regulator) else 1
 
 
 def _cannot_hold_altitude(mode: Mode, regulator: Regulator) -> str:

@@ -24,9 +24,12 @@ from testbed.controllers.inversion.steady_flights import (
 )
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 
-_ANGLE_MAX = 0.35
-"""Sideslip or bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip,
-carries the aircraft."""
+_BETA_MAX = 0.4
+"""Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not. With 0.35 an
+aerosonde with its rudder at its stop has no trim, and turns."""
+_BANK_MAX = 0.35
+"""Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
+aircraft."""
 _WINGS_LEVEL = 0.03
 """Bank [rad] up to which the wings are level, which a mode that does not control pitch must have. Where it has level flights only
 with more, one at another airspeed without is preferred: the linear model balances pitch by the drag of a sideslip, and the
@@ -258,8 +261,8 @@ def margins(degraded: DegradedAircraft, flights: SteadyFlight) -> np.ndarray:
     worth = np.minimum(np.where(degraded.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
     to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
     to_stall = (degraded.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
-    to_sideslip = (_ANGLE_MAX - np.abs(state[:, BETA])) / _ANGLE
-    to_bank = (_ANGLE_MAX - np.abs(state[:, ROLL])) / _ANGLE
+    to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
+    to_bank = (_BANK_MAX - np.abs(state[:, ROLL])) / _ANGLE
     return np.minimum.reduce([to_stops, to_stall, to_sideslip, to_bank]) + _ROUNDING
 
 
