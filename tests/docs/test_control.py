@@ -63,6 +63,7 @@ SENTENCES = [
     f"{mode_trim._MARGIN_FOR_SLOPE:g}",
     f"the margin of level flight is {mode_trim._MARGIN_TO_DESCEND:g}",
     f"has moved by {jam_detection.REDESIGN_AFTER:g} units, the regulator is designed again",
+    f"one up to {mode_trim._BEYOND_STOPS - 1:.0%} beyond them".replace("%", " %"),
     f"Where the authority over the axis is less than {scaling._AMPLE:g} times that",
 ]
 

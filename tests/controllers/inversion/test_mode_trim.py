@@ -62,8 +62,8 @@ def test_a_trim_is_steady_within_the_stops(failed: tuple[int, ...]) -> None:
     rates = degraded.motion(flight.state, flight.positions)
     assert rates[:9] == pytest.approx(np.zeros(9), abs=1e-6)
     assert rates[9] == pytest.approx(flight.state[AIRSPEED] * math.sin(gamma) if gamma else 0.0, abs=0.3)
-    low, high = degraded.limits.T
-    assert np.all((flight.positions >= low - 1e-9) & (flight.positions <= high + 1e-9))
+    inside = mode_trim._BEYOND_STOPS * degraded.limits
+    assert np.all((flight.positions >= inside[:, 0]) & (flight.positions <= inside[:, 1]))
     assert flight.positions[list(failed)] == pytest.approx((np.array(MODEL.trim) / SETUP.scale)[list(failed)])
 
 
@@ -72,16 +72,17 @@ def test_margins_are_to_the_nearest_stop_or_angle() -> None:
     degraded = remaining(0)
     flight, _ = steady_flight(degraded, LOOPS, "")
 
-    def margin(position: float | None = None, **changes: float) -> float:
+    def margin(stop_factor: float = 1.0, position: float | None = None, **changes: float) -> float:
         state, positions = flight.state.copy(), flight.positions.copy()
         for name, value in changes.items():
             state[REGULATOR_STATE.index(name)] = value
         positions[1] = positions[1] if position is None else position
-        return float(margins(degraded, SteadyFlight(state[None], positions[None]))[0])
+        return float(margins(degraded, SteadyFlight(state[None], positions[None]), stop_factor)[0])
 
     top = degraded.limits[1, 1]
     assert margin(position=top - 0.3) == pytest.approx(0.3)
     assert margin(position=top + 0.1) == pytest.approx(-0.1)
+    assert margin(position=top + 0.1, stop_factor=1.3) == pytest.approx(0.3 * top - 0.1)
     assert margin(alpha=MODEL.stall_alpha_rad - 0.02) == pytest.approx(0.2)
     assert margin(beta=-0.41) == pytest.approx(-0.1) == margin(beta=0.41)
     assert margin(position=0.0, airspeed=0.6 * V) < margin(position=0.0), "a slow propeller brakes less"

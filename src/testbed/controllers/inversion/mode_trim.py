@@ -24,6 +24,9 @@ from testbed.controllers.inversion.steady_flights import (
 )
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 
+_BEYOND_STOPS = 1.3
+"""Factor on the stops within which a trim is accepted as a last resort. A model with errors of 20 % can place a trim that far
+off, and regulating about a trim near the true one is better than having none."""
 _BETA_MAX = 0.4
 """Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not. With 0.35 an
 aerosonde with its rudder at its stop has no trim, and turns."""
@@ -53,8 +56,8 @@ _EVERYTHING = ("airspeed", "altitude", "heading")
 
 Preference = Callable[[SteadyFlight], np.ndarray]
 """[m] how good each of m flights is; the best is the one with the highest number."""
-Attempt = tuple[SteadyFlight, tuple[str, ...], Preference]
-"""Flights, the outputs held in them, and which is preferred."""
+Attempt = tuple[SteadyFlight, tuple[str, ...], Preference, float]
+"""Flights, the outputs held in them, which is preferred, and the factor on the stops within which they must be."""
 
 
 class NoSteadyFlight(ValueError):
@@ -84,8 +87,8 @@ def steady_flight(
     if degraded.available.sum() < 2:
         raise NoSteadyFlight(f"{title}: one actuator cannot hold altitude and heading")
     search = _after_a_jam if degraded.jammed else _after_losses
-    for flights, held, preference in search(degraded, loops):
-        flight = _best(flights.only(margins(degraded, flights) >= 0.0), preference)
+    for flights, held, preference, stop_factor in search(degraded, loops):
+        flight = _best(flights.only(margins(degraded, flights, stop_factor) >= 0.0), preference)
         if flight is not None:
             return flight, held
     raise NoSteadyFlight(f"{title}: no steady flight within the stops, level, climbing or descending")
@@ -141,22 +144,23 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     around = reference + np.array([0.0, -2.0, 2.0, -4.0, 4.0, 8.0])
     if degraded.available.sum() < 3 or not motor:
         if motor:
-            yield level(degraded, around), ("altitude", "heading"), _nearest(reference)
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
+            yield level(degraded, around), ("altitude", "heading"), _nearest(reference), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
         elif not degraded.servos.all():
-            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
-        yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference)
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
+        yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
     wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
     near = _wings_level(degraded, at_path_angles(degraded, faster, np.zeros(5)))
     anywhere = _wings_level(degraded, _level_anywhere(degraded))
-    at_any = [(flights, _EVERYTHING, _nearest(wanted)) for flights in (near, anywhere)]
-    at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted)
+    level_flights = ((near, 1.0), (near, _BEYOND_STOPS), (anywhere, 1.0))
+    at_any = [(flights, _EVERYTHING, _nearest(wanted), stops) for flights, stops in level_flights]
+    at_one = _wings_level(degraded, _level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
     yield from (*at_any, at_one) if degraded.pitch_controlled else (at_one, *at_any)
     at_paths = _wings_level(degraded, _anywhere(degraded))
-    yield at_paths, ("airspeed", "heading"), _roomiest(degraded, wanted)
-    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded)
+    yield at_paths, ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
 
 
 def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
@@ -165,24 +169,25 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     preference = _roomiest(degraded, wanted)
     if degraded.available.sum() < 3 or not _has_motor(degraded):
         if _has_motor(degraded):
-            yield _level_at_one(degraded), ("altitude", "heading"), preference
+            yield _level_at_one(degraded), ("altitude", "heading"), preference, 1.0
         elif degraded.thrusts:
             yield from _with_stuck_thrust(degraded)
-        yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference
+        yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
         return
     flights, one = _level_anywhere(degraded), _wings_level(degraded, _level_at_one(degraded))
     at_any, at_one = (_wings_level(degraded, flights), _EVERYTHING), (one, ("altitude", "heading"))
     in_order = (at_any, at_one) if degraded.pitch_controlled else (at_one, at_any)
     for level_flights, held in (*in_order, (flights, _EVERYTHING)):
-        yield level_flights, held, preference
-    yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference
-    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded)
+        yield level_flights, held, preference, 1.0
+    yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
+    yield flights, _EVERYTHING, preference, _BEYOND_STOPS
+    yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
 
 
 def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
-    yield _level_at_one(degraded), ("altitude", "heading"), _fastest
-    yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded)
+    yield _level_at_one(degraded), ("altitude", "heading"), _fastest, 1.0
+    yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
 
 
 def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
@@ -245,17 +250,20 @@ def _nearest_level(degraded: DegradedAircraft) -> Preference:
     return _by_margin(degraded, _MARGIN_OF_A_GLIDE, worth)
 
 
-def margins(degraded: DegradedAircraft, flights: SteadyFlight) -> np.ndarray:
+def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
     """[m] scaled distance to the nearest stop, or to the largest plausible angle, of each of m flights; negative beyond it.
 
     A distance to a stop is worth what it balances of gusts, whose moments grow with airspeed. The moments of surfaces grow with its
     square, and thrust does not grow. So a distance of thrust counts less above the reference airspeed, in proportion to V_0/V, and
     one of a surface less below it, in proportion to V/V_0.
+
+    Args:
+        stop_factor: the stops are multiplied by this.
     """
     used, state = degraded.used, flights.state
     least, most = degraded.bounds(state[:, AIRSPEED])
-    low = np.maximum(degraded.limits[:, 0], least)[:, used]
-    high = np.minimum(degraded.limits[:, 1], most)[:, used]
+    low = np.maximum(stop_factor * degraded.limits[:, 0], least)[:, used]
+    high = np.minimum(stop_factor * degraded.limits[:, 1], most)[:, used]
     positions = flights.positions[:, used]
     airspeed_ratio = state[:, [AIRSPEED]] / degraded.model.airspeed_m_s
     worth = np.minimum(np.where(degraded.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
