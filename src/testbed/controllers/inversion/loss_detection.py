@@ -10,9 +10,7 @@ from __future__ import annotations
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
-from testbed.controllers.inversion.offset_detection import (
-    deviation,
-)
+from testbed.controllers.inversion.offset_detection import deviation
 from testbed.controllers.outer_loops import wrap
 
 MUCH_MORE = 3.0
@@ -48,9 +46,9 @@ def works(i, c, s):
         return True
     if not c.weighted:
         return False
-    return min(s.lambda_slow[i], s.lambda_hat[i]) > c.threshold + c.threshold_rise[
-        i
-    ] + BEYOND_DOUBT * deviation(i, s)
+    return min(s.lambda_slow[i], s.lambda_hat[i]) > (
+        c.threshold + c.threshold_rise[i] + BEYOND_DOUBT * deviation(i, s)
+    )
 
 
 @compiled
