@@ -56,9 +56,9 @@ NOTES = """\
 ## How to read it
 
 Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
-mean or a rank. *Best of all* is the best controller in each draw, the five that are told the truth among them (the table
-shows the best of these): what can be held is that or more. `indi_monitor` has the default's diagnosis. *Effort* is the median ratio
-in the same draw.
+mean or a rank. *Best of all* is the best controller in each draw; where some that are told the truth flew, they are among them, and
+the table shows the best of these: what can be held is that or more. `indi_monitor` has the default's diagnosis. *Effort* is the
+median ratio in the same draw.
 [Columns and groups](../reference/benchmark.md#what-is-measured).
 """
 HEALTHY_HEAD = """\
@@ -270,7 +270,11 @@ def kept(page: str, law: str) -> list[str]:
         return ["", section[0], *table]
     other = _with_another(flown[2])
     before = f"{section[0].removesuffix('.')}, seed {flown[1]}{other}."
-    return ["", before, *(line.replace(", minus `default`", f"{other}, minus `default`") for line in table)]
+    said = (
+        line if "another law" in line else line.replace(", minus `default`", f"{other}, minus `default`")
+        for line in table
+    )
+    return ["", before, *said]
 
 
 def environment_of(folder: Path) -> str:

@@ -138,7 +138,7 @@ WORDS = {
     "rls_inversion": "`rls_inversion`: adapts, no diagnosis",
     "fixed_inversion": "`fixed_inversion`: no adaptation",
     "pid": "`pid`: a conventional autopilot",
-    "best of all": "the best of all in each flight, some told the truth",
+    "best of all": "the best of all in each flight",
 }
 """Controllers of the table in the words of the README."""
 
