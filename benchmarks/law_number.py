@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import difflib
 import os
 import shutil
 import subprocess
@@ -38,7 +39,11 @@ def file_of(module: str) -> Path:
 
 def with_value(text: str, name: str, value: str) -> str:
     """The text of a module in which this number has another value."""
-    ast.parse(value, mode="eval")
+    try:
+        ast.parse(value, mode="eval")
+    except SyntaxError:
+        raise SystemExit(f"{value!r} is no value, expected an expression such as 3.0") from None
+    names = []
     for node in ast.parse(text).body:
         if not isinstance(node, ast.Assign):
             continue
@@ -46,13 +51,15 @@ def with_value(text: str, name: str, value: str) -> str:
         pairs = [(target, given)]
         if isinstance(target, ast.Tuple) and isinstance(given, ast.Tuple):
             pairs = list(zip(target.elts, given.elts, strict=True))
+        names += [each.id for each, _ in pairs if isinstance(each, ast.Name)]
         for each, number in pairs:
             if isinstance(each, ast.Name) and each.id == name:
                 lines = text.splitlines(keepends=True)
                 line, end = number.lineno - 1, number.end_lineno or number.lineno
                 before, after = lines[line][: number.col_offset], lines[end - 1][number.end_col_offset :]
                 return "".join([*lines[:line], before + value + after, *lines[end:]])
-    raise SystemExit(f"no number {name!r} there")
+    alike = "".join(f", did you mean {near}?" for near in difflib.get_close_matches(name, names, 1))
+    raise SystemExit(f"this module has no number {name!r}{alike}")
 
 
 def fly(folder: Path, options: argparse.Namespace, number: str = "", value: str = "") -> pd.DataFrame:
@@ -71,7 +78,9 @@ def fly(folder: Path, options: argparse.Namespace, number: str = "", value: str 
         if folder.exists():
             command.append("--resume")
         environment = {**os.environ, "PYTHONPATH": str(tree / "src")}
-        subprocess.run(command, cwd=tree, env=environment, check=True, stdout=subprocess.DEVNULL)
+        flown = subprocess.run(command, cwd=tree, env=environment, check=False, stdout=subprocess.DEVNULL)
+        if flown.returncode:
+            raise SystemExit(flown.returncode)  # it has said why
     return pd.read_csv(folder / "results.csv").set_index("draw")
 
 

@@ -41,6 +41,8 @@ SENTENCES = [
     f"({evidence.SLOW_S:g} s for a motor or engine)",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
+    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, and {NUMBER[evidence.BEYOND_DOUBT]} standard deviations, "
+    f"for {evidence.MEAN_S:g} s",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
@@ -59,6 +61,7 @@ SENTENCES = [
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",
     f"Margin beyond {mode_trim._MARGIN_ENOUGH:g} does not count",
+    f"a path within {mode_trim._NEARLY_LEVEL:g} rad of level",
     f"margin counts up to {mode_trim._MARGIN_OF_A_GLIDE:g}, and sinking at the reference airspeed would cost "
     f"{mode_trim._MARGIN_FOR_SLOPE:g}",
     f"the margin of level flight is {mode_trim._MARGIN_TO_DESCEND:g}",

@@ -261,10 +261,53 @@ def test_a_jammed_position_is_within_the_stops() -> None:
 
 
 def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed() -> None:
-    """It stands still at its trim position. At a limit of its estimate its force is that of another position."""
-    for estimate, failed, jams in ((-1.2, 1, True), (1.2, 1, True), (0.0, 1, False), (1.2, 0, False)):
+    """It stands still at its trim position. At a limit of its estimate its force is that of another position. The estimate of an
+    engine that works again passes its limit."""
+    flags = (
+        (-1.2, 1, 0, True),
+        (1.2, 1, 0, True),
+        (0.0, 1, 0, False),
+        (1.2, 0, 0, False),
+        (1.2, 1, 1, False),
+    )
+    for estimate, failed, engine, jams in flags:
         m, c, _, s, _ = records()
+        m.engine[0] = engine
         s.failed[0], s.lambda_hat[0], s.P[0, 0] = failed, estimate, 1.0
         for _ in range(round(c.persistence / c.dt) + 1):
             detect_jam(np.zeros(4), 1.0, m, c, s)
         assert bool(s.jammed[0]) == jams
+
+
+@pytest.mark.parametrize(
+    ("actuator", "share", "in_error", "sigma", "jammed"),
+    [
+        (2, 0.5, 0.0, 0.1, 1),
+        (2, 0.1, 0.4, 0.1, 1),
+        (2, -0.5, 0.0, 0.1, 1),
+        (2, 0.2, 0.0, 0.01, 0),
+        (2, 0.5, -0.4, 0.01, 0),
+        (2, 0.5, 0.0, 0.3, 0),
+        (2, 0.9, 0.0, 0.1, 0),
+        (0, 0.5, 0.0, 0.1, 0),
+    ],
+)
+def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
+    actuator: int, share: float, in_error: float, sigma: float, jammed: int
+) -> None:
+    """Not one whose thrust may be nothing, one that works again, or a surface. Of two units of thrust the estimate says a share,
+    and the model's error holds another, with a standard deviation."""
+    m, c, _, s, _ = records()
+    s.failed[actuator], s.lambda_hat[actuator] = 1, share
+    s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
+    s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
+    s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
+    steps = math.ceil(MEAN_S / c.dt)
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()
+    for _ in range(4):
+        detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert s.jammed[actuator] == jammed
+    if jammed:
+        assert s.lambda_hat[actuator] == pytest.approx(
+            np.clip(2.0 * (share + in_error), m.low[actuator], m.high[actuator])
+        )

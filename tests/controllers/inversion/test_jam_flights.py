@@ -112,9 +112,7 @@ def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: s
         ("indi, monitor: true", 8),
     ],
 )
-def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_flight_is_steady(
-    controller: str, seed: int
-) -> None:
+def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_on(controller: str, seed: int) -> None:
     """Given up after it had seemed lost for 3 s in all, it left the aircraft 8 to 25 m too low."""
     flight = in_turbulence(
         seed,

@@ -146,7 +146,7 @@ def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None
 
 
 @pytest.mark.parametrize(("sigmas", "time"), [(1.4, MEAN_S), (4.0, 0.0), (-2.9, MEAN_S), (-3.1, 0.1)])
-def test_one_that_has_moved_with_a_small_force_is_jammed_if_its_effectiveness_is_about_0(
+def test_one_that_has_moved_with_a_small_force_is_jammed_if_less_than_half_of_it_follows(
     sigmas: float, time: float
 ) -> None:
     m, c, _, s, _ = records()

@@ -71,6 +71,9 @@ def test_a_surface_that_moves_against_its_probe_is_reversed(jammed: bool) -> Non
     made = given_up(1, jammed)
     if not jammed:
         made.s.lambda_hat[1] = -0.9
+    made.s.departed = 0
+    assert seconds_until_used(made, 1, -1.0) == math.inf  # a flight that goes on without it is left as it is
+    made.s.departed = 1
     assert seconds_until_used(made, 1, -1.0) < 4.0
     assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
 

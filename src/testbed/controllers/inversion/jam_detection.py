@@ -40,6 +40,8 @@ the standard deviation is small."""
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
+RESIDUAL_THRUST = 0.3
+"""Share of the trim thrust that a flagged motor must give to be taken for jammed."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
@@ -70,7 +72,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     changed = 0
     for i in range(len(s.lambda_hat)):
         still = time_to_stand_still(i, pressure_ratio, m, c, s)
-        time = still if still > 0.0 else time_to_jam(i, m, c, s)
+        time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         explained = s.jam_timer[i] > (MEAN_S if m.servo[i] else SLOW_S)
@@ -100,15 +102,18 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def time_to_jam(i, m, c, s):
-    """How long an actuator that `acts_reversed`, `stands_at_a_stop` or `has_force_of_its_own` must do so until it is taken for
-    jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough."""
+def time_to_jam(i, pressure_ratio, m, c, s):
+    """How long an actuator that `acts_reversed`, `stands_at_a_stop`, `has_force_of_its_own` or `keeps_thrust` must do so until it
+    is taken for jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is
+    enough."""
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
     if stands_at_a_stop(i, m, c, s):
         return MEAN_S
-    return c.persistence if backwards or has_force_of_its_own(i, m, c, s) else 0.0
+    if backwards or has_force_of_its_own(i, m, c, s):
+        return c.persistence
+    return MEAN_S if keeps_thrust(i, pressure_ratio, m, c, s) else 0.0
 
 
 @compiled
@@ -128,6 +133,18 @@ def has_force_of_its_own(i, m, c, s):
     at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
     lost = s.failed[i] and not s.jammed[i] and not s.reversed[i]
     return c.weighted and not m.engine[i] and lost and at_limit
+
+
+@compiled
+def keeps_thrust(i, pressure_ratio, m, c, s):
+    """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
+    thrust has not followed its command down. While its command stands still, the filter cannot tell what it gives from the model's
+    error: so both count."""
+    if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
+        return False
+    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    thrust = s.lambda_hat[i] * s.position[i] + offset
+    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], BEYOND_DOUBT * sigma)
 
 
 @compiled

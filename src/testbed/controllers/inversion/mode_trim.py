@@ -45,6 +45,9 @@ _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
 _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if there is no level flight
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has no margin to descend with."""
+_NEARLY_LEVEL = 0.03
+"""With a stuck motor, a flight whose path angle [rad] is smaller than this is taken for level: this is a third of an aircraft's
+drag over its weight. Altitude is held then, and given up only while the aircraft is too slow."""
 _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its stop is within it
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same in a descent: half of it is worth less than the altitude that it costs
@@ -187,7 +190,10 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
 def _with_stuck_thrust(degraded: DegradedAircraft) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
     yield _level_at_one(degraded), ("altitude", "heading"), _fastest, 1.0
-    yield _at_any_airspeed(degraded), ("airspeed", "heading"), _nearest_level(degraded), 1.0
+    flights = _at_any_airspeed(degraded)
+    nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
+    yield nearly_level, ("altitude", "heading"), _fastest, 1.0
+    yield flights, ("airspeed", "heading"), _nearest_level(degraded), 1.0
 
 
 def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:

@@ -73,11 +73,13 @@ def probe(e, pressure_ratio, m, c, s):
 
 @compiled
 def may_be_reversed(i, m, s):
-    """Whether the force of a surface at its trim position may be that of a reversed one: it is held near the opposite of its
-    command, or lost and its estimate is below zero beyond doubt. One that has just begun to work again has a gain of any sign."""
+    """Whether the force of a surface at its trim position may be that of a reversed one, and is needed: the flight has departed,
+    and the surface is held near the opposite of its command, or lost and its estimate is below zero beyond doubt. One that has just
+    begun to work again has a gain of any sign; so has one that moves slowly, or swings at about the sine's frequency, and a flight
+    that goes on without it loses by the mistake."""
     opposite = abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
     wrong_way = s.lambda_hat[i] + BEYOND_DOUBT * deviation(i, s) < 0.0
-    return m.servo[i] and (opposite if s.jammed[i] else wrong_way)
+    return s.departed and m.servo[i] and (opposite if s.jammed[i] else wrong_way)
 
 
 @compiled
