@@ -32,6 +32,7 @@ SENTENCES = [
     f"its estimate has fallen by more than {evidence.HALF_WAY:g} within a few seconds",
     f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
     f"{NUMBER[evidence.BEYOND_DOUBT]} standard deviations above the threshold",
+    f"gives {1 - evidence.HALF_WAY:g} to {1 + evidence.HALF_WAY:g} of its position's thrust",
     f"`lambda_min` is {SET.lambda_min:g} here",
     f"until its estimate has stayed below its threshold for {evidence.SLOW_S:g} s",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
@@ -42,7 +43,7 @@ SENTENCES = [
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, and {NUMBER[evidence.BEYOND_DOUBT]} standard deviations, "
-    f"for {evidence.MEAN_S:g} s",
+    f"for {evidence.MEAN_S:g} s at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
@@ -61,6 +62,7 @@ SENTENCES = [
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",
     f"Margin beyond {mode_trim._MARGIN_ENOUGH:g} does not count",
+    f"If no level trim has a margin of {mode_trim._MARGIN_OF_LEVEL_FLIGHT:g}",
     f"a path within {mode_trim._NEARLY_LEVEL:g} rad of level",
     f"margin counts up to {mode_trim._MARGIN_OF_A_GLIDE:g}, and sinking at the reference airspeed would cost "
     f"{mode_trim._MARGIN_FOR_SLOPE:g}",

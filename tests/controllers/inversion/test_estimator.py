@@ -268,6 +268,14 @@ def test_what_two_actuators_explain_alike_is_blamed_on_neither() -> None:
     assert np.array_equal(s.P[:N, :N], 0.01 * np.eye(N))
 
 
+def test_what_two_explain_alike_is_blamed_on_the_one_that_is_jammed() -> None:
+    c, m, s = records()
+    s.jammed[2] = 1
+    for _ in range(100):
+        expect_change(np.full(4, 5.0), np.ones((4, N)), m, c, s)
+    assert s.P[2, 2] > 0.01 and s.P[0, 0] == s.P[1, 1] == s.P[3, 3] == 0.01
+
+
 def test_the_variance_of_a_change_is_its_square_up_to_a_bound() -> None:
     c, m, s = records()
     phi = 10.0 * np.eye(4)

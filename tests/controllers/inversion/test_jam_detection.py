@@ -261,8 +261,8 @@ def test_a_jammed_position_is_within_the_stops() -> None:
 
 
 def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed() -> None:
-    """It stands still at its trim position. At a limit of its estimate its force is that of another position. The estimate of an
-    engine that works again passes its limit."""
+    """It stands still at its trim position. At a limit of its estimate its force is that of another position. An engine's probe
+    comes first."""
     flags = (
         (-1.2, 1, 0, True),
         (1.2, 1, 0, True),

@@ -282,9 +282,9 @@ def test_after_a_jam_airspeed_is_kept_with_little_margin_where_the_best_is_hardl
         return float(flight.state[AIRSPEED]), float(margins(degraded, flight.only(np.newaxis))[0])
 
     airspeed, margin = chosen(-10.0)
-    assert airspeed == pytest.approx(V) and 0.0 < margin < 0.1
+    assert airspeed == pytest.approx(V) and 0.0 < margin < mode_trim._MARGIN_OF_LEVEL_FLIGHT
     slower, more = chosen(-11.0)
-    assert slower < 0.8 * V and more > margin
+    assert slower < 0.8 * V and more > mode_trim._MARGIN_OF_LEVEL_FLIGHT
 
 
 def test_without_a_jam_any_airspeed_is_flown_and_a_mode_that_cannot_hold_it_has_one() -> None:

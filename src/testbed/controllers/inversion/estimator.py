@@ -28,6 +28,9 @@ HEALTHY_VARIANCE = 0.01
 """Initial variance of an effectiveness estimate: 1 with a standard deviation of 0.1."""
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
+JAM_MOVES_FACTOR = 4.0
+"""Factor on the test value of a change of a jammed actuator's position: that a broken actuator moves is likelier than that a
+healthy one breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE, JAM_NOISE = 16.0, 0.2
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2], and its process noise [scaled/sqrt(s)]. A
 jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With 1.0, gusts at 25 ft/s moved
@@ -102,9 +105,10 @@ def expect_change(e, phi, m, c, s):
     A random walk follows a sudden loss slowly, and spreads it over all actuators meanwhile. So the mean of the innovation e - b
     over the last `CHANGE_TIME_S` T is explained by a change of each effectiveness alone, by weighted least squares. The weight of a
     rate is one over the variance of its mean: gusts of two-sided density S leave S / 2T, and b adds its own. The test value is
-    (change / its standard deviation)^2, twice the logarithm of the likelihood ratio. If the best is above `CHANGE_SIGMA`^2, and
-    `CHANGE_LEAD`^2 times the next best, the variance of that estimate becomes at least the square of the change. If the change
-    `is_of_position`, that variance goes to the model error along the actuator's column of Phi.
+    (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `JAM_MOVES_FACTOR` for a jammed
+    actuator. If the best is above `CHANGE_SIGMA`^2, and `CHANGE_LEAD`^2 times the next best, the variance of that estimate becomes
+    at least the square of the change. If the change `is_of_position`, that variance goes to the model error along the
+    actuator's column of Phi.
     """
     for row in range(4):  # the mean of the innovation e - b
         s.recent[row] += c.dt / CHANGE_TIME_S * (e[row] - s.b[row] - s.recent[row])
@@ -118,6 +122,8 @@ def expect_change(e, phi, m, c, s):
             projection += phi[row, i] * weight * s.recent[row]
             information += phi[row, i] * weight * phi[row, i]
         ratio = projection * projection / information
+        if s.jammed[i]:
+            ratio *= JAM_MOVES_FACTOR
         if ratio > first:
             best, first, second, change = i, ratio, first, projection / information
         elif ratio > second:

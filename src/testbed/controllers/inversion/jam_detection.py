@@ -20,6 +20,7 @@ from testbed.controllers.inversion.estimator import (
 )
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
+from testbed.controllers.inversion.loss_detection import thrust_given
 from testbed.controllers.inversion.offset_detection import (
     JAM_SIGMA,
     deviation,
@@ -42,6 +43,9 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST = 0.3
 """Share of the trim thrust that a flagged motor must give to be taken for jammed."""
+ENGINE_S = 8.0
+"""How long a probed engine must keep its thrust, or a force of its own, until it is taken for jammed [s]: within this time its
+probe says whether it works again. Its estimate climbs slowly then, and may pass its limit."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
@@ -105,15 +109,18 @@ def detect_jam(e, pressure_ratio, m, c, s):
 def time_to_jam(i, pressure_ratio, m, c, s):
     """How long an actuator that `acts_reversed`, `stands_at_a_stop`, `has_force_of_its_own` or `keeps_thrust` must do so until it
     is taken for jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is
-    enough."""
+    enough. The last two take a probed engine `ENGINE_S`."""
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
     if stands_at_a_stop(i, m, c, s):
         return MEAN_S
-    if backwards or has_force_of_its_own(i, m, c, s):
+    own_force = has_force_of_its_own(i, c, s)
+    if backwards or (own_force and not m.engine[i]):
         return c.persistence
-    return MEAN_S if keeps_thrust(i, pressure_ratio, m, c, s) else 0.0
+    if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
+        return ENGINE_S if m.engine[i] and c.probes else MEAN_S
+    return 0.0
 
 
 @compiled
@@ -127,23 +134,21 @@ def stands_at_a_stop(i, m, c, s):
 
 
 @compiled
-def has_force_of_its_own(i, m, c, s):
+def has_force_of_its_own(i, c, s):
     """Whether a flagged actuator's estimate is at a limit. It is commanded to its trim position, and a force that no effectiveness
-    there explains is that of another position. Not an engine: the estimate of one that works again may pass its limit."""
+    there explains is that of another position."""
     at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
     lost = s.failed[i] and not s.jammed[i] and not s.reversed[i]
-    return c.weighted and not m.engine[i] and lost and at_limit
+    return c.weighted and lost and at_limit
 
 
 @compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
     """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
-    thrust has not followed its command down. While its command stands still, the filter cannot tell what it gives from the model's
-    error: so both count."""
+    thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    thrust = s.lambda_hat[i] * s.position[i] + offset
+    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
     return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], BEYOND_DOUBT * sigma)
 
 

@@ -42,7 +42,13 @@ _ANGLE = 0.1
 _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
 """Searched after a jam, in units of the reference airspeed. Drag balances a propeller at full throttle at 1.4 of it, and at up to
 1.8 on a model with errors of 20 %."""
-_PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if there is no level flight
+_PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
+_MARGIN_OF_LEVEL_FLIGHT = 0.15
+"""Scaled margin that the best level trim must have after a jam, or flights that are not level are searched too: with less, the
+model's error decides whether there is a level trim.
+
+It is asked of the best one alone. Asked of each, it would exclude the trims at some airspeeds by the estimated position of the jam,
+and so decide by an uncertain number whether the aircraft has to slow down."""
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has no margin to descend with."""
 _NEARLY_LEVEL = 0.03
@@ -181,7 +187,8 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     at_any, at_one = (_wings_level(degraded, flights), _EVERYTHING), (one, ("altitude", "heading"))
     in_order = (at_any, at_one) if degraded.pitch_controlled else (at_one, at_any)
     for level_flights, held in (*in_order, (flights, _EVERYTHING)):
-        yield level_flights, held, preference, 1.0
+        if margins(degraded, level_flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
+            yield level_flights, held, preference, 1.0
     yield _wings_level(degraded, _anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
     yield _at_any_airspeed(degraded), ("heading",), _nearest_level(degraded), 1.0
