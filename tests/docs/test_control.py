@@ -51,6 +51,8 @@ SENTENCES = [
     "and the way is longer than one scaled unit",
     f"a sine of {probing.RAD_S:g} rad/s for the first actuator and {probing.RAD_S_MORE:g} rad/s more for each next",
     f"at most {probing.LARGEST:g} scaled units",
+    f"held within {probing.LARGEST:g} units of a stop is not judged",
+    f"a jam if it is at most {offset_detection.NEAR_SIGMAS:g} deviations above 0 for {evidence.MEAN_S:g} s",
     f"within {NUMBER[probing.OPPOSITE_WITHIN]} units of minus its trim",
     f"(engines {probing.ENGINE_SLOWER:g} times that)",
     f"when the gain is above {evidence.HALF_WAY:g} and 0 is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",

@@ -145,8 +145,8 @@ def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None
         assert (time_to_stand_still(0, 1.0, m, c, s) > 0.0, follows(0, m, c, s)) == (still, moves)
 
 
-@pytest.mark.parametrize(("sigmas", "time"), [(1.4, MEAN_S), (4.0, 0.0), (-2.9, MEAN_S), (-3.1, 0.1)])
-def test_one_that_has_moved_with_a_small_force_is_jammed_if_less_than_half_of_it_follows(
+@pytest.mark.parametrize(("sigmas", "time"), [(1.4, MEAN_S), (1.6, 0.0), (-2.9, MEAN_S), (-3.1, 0.1)])
+def test_one_that_has_moved_with_a_small_force_is_jammed_if_its_effectiveness_is_about_0(
     sigmas: float, time: float
 ) -> None:
     m, c, _, s, _ = records()
@@ -333,8 +333,7 @@ def test_of_a_surface_that_has_moved_a_small_force_is_enough() -> None:
         (0, -1.0, 0.0),
         (1, -1.0, c.persistence),
         (1, 0.1, MEAN_S),
-        (1, 0.4, MEAN_S),
-        (1, 0.6, 0.0),
+        (1, 0.4, 0.0),
     ):
         s.moved[0], s.lambda_hat[0] = moved, estimate
         assert time_to_stand_still(0, 1.0, m, c, s) == time

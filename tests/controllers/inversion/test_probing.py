@@ -86,6 +86,15 @@ def test_a_lost_surface_whose_own_force_does_not_say_so_is_not_reversed() -> Non
         assert (seconds_until_used(made, 1, -1.0) < 4.0) == (made.s.reversed[1] == 1) == reversed_
 
 
+@pytest.mark.parametrize(("gain", "beside"), [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)])
+def test_a_hardover_is_neither_working_nor_reversed_whatever_its_gain(gain: float, beside: float) -> None:
+    """The motions of the aircraft with it have a gain, and one at its stop cannot move."""
+    made = given_up(1, True)
+    made.s.lambda_hat[1] = made.m.high[1] if beside > 0.0 else made.m.low[1]
+    assert seconds_until_used(made, 1, gain) == math.inf
+    assert made.s.jammed[1] and not made.s.reversed[1]
+
+
 def test_what_stands_far_from_the_opposite_of_its_command_is_not_reversed() -> None:
     for beside, reversed_ in ((0.9 * OPPOSITE_WITHIN, 1), (1.1 * OPPOSITE_WITHIN, 0)):
         made = given_up(1, True)

@@ -25,6 +25,8 @@ from testbed.controllers.inversion.law import effect_ratio
 JAM_SIGMA = 4.0
 """Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. At 25 ft/s lost effectiveness
 never goes beyond 1.1, and offsets of 5 deg go beyond 4 in half of 8 flights."""
+NEAR_SIGMAS = 1.5
+"""Standard deviations of the estimate above 0 up to which a surface with little force is jammed; above, it may be weak."""
 
 
 @compiled
@@ -70,7 +72,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 
     * the force in the model error is beyond `JAM_SIGMA` standard deviations: `persistence` at that force, and less as one over the
       square of a larger one, since a hardover leaves no time;
-    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `MEAN_S` if it is not.
+    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `MEAN_S` if it is about 0.
     """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
@@ -81,7 +83,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     beyond = abs(offset) / (math.hypot(sigma, deviation_by_gusts(i, pressure_ratio, m, c, s)) * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
-    if s.moved[i] == 0.0:
+    if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * doubt:
         return 0.0
     return c.persistence if s.lambda_hat[i] < -BEYOND_DOUBT * doubt else MEAN_S
 

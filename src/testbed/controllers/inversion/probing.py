@@ -59,7 +59,7 @@ def probe(e, pressure_ratio, m, c, s):
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
         too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
-        if too_early or s.probe_square[i] <= 0.0:
+        if too_early or s.probe_square[i] <= 0.0 or not has_room(i, m, s):
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
         if gain - BEYOND_DOUBT * sigma > 0.0 and gain > HALF_WAY:
@@ -69,6 +69,14 @@ def probe(e, pressure_ratio, m, c, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed
+
+
+@compiled
+def has_room(i, m, s):
+    """Whether an actuator is where its probe can move it: one that is held at its stop cannot show a gain, unless it is trimmed
+    there."""
+    low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
+    return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
 
 
 @compiled
