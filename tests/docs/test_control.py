@@ -12,6 +12,7 @@ from testbed.controllers.inversion import (
     estimator,
     evidence,
     jam_detection,
+    loss_detection,
     mode_trim,
     offset_detection,
     probing,
@@ -42,7 +43,7 @@ SENTENCES = [
     f"({evidence.SLOW_S:g} s for a motor or engine)",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
-    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, and {NUMBER[evidence.BEYOND_DOUBT]} standard deviations, "
+    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, and {loss_detection.THRUST_SIGMA:g} standard deviations, "
     f"for {evidence.MEAN_S:g} s at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",

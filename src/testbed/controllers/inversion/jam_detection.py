@@ -20,7 +20,7 @@ from testbed.controllers.inversion.estimator import (
 )
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
-from testbed.controllers.inversion.loss_detection import thrust_given
+from testbed.controllers.inversion.loss_detection import THRUST_SIGMA, thrust_given
 from testbed.controllers.inversion.offset_detection import (
     JAM_SIGMA,
     deviation,
@@ -149,7 +149,7 @@ def keeps_thrust(i, pressure_ratio, m, c, s):
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
     thrust, sigma = thrust_given(i, pressure_ratio, m, s)
-    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], BEYOND_DOUBT * sigma)
+    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
 
 
 @compiled

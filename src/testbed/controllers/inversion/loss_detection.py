@@ -14,6 +14,9 @@ from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import deviation, offset_in_model_error
 from testbed.controllers.outer_loops import wrap
 
+THRUST_SIGMA = 2.5
+"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
+half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 MUCH_MORE = 3.0
 """Ratio of two motors' thrust [1] that is no noise of the estimates."""
 
@@ -55,7 +58,7 @@ def works(i, pressure_ratio, m, c, s):
         return False
     thrust, sigma = thrust_given(i, pressure_ratio, m, s)
     off = abs(thrust - s.position[i])
-    return thrust > BEYOND_DOUBT * sigma and off < HALF_WAY * s.position[i]
+    return thrust > THRUST_SIGMA * sigma and off < HALF_WAY * s.position[i]
 
 
 @compiled
