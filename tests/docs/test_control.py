@@ -59,6 +59,7 @@ SENTENCES = [
     f"when the gain is above {evidence.HALF_WAY:g} and 0 is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
     f"the same to the last digit for {sensor_guard.REPEATS_S:g} s",
     f"drawn within {sensor_guard.RECALL_S:g} s to that at which the angle of attack carries the weight",
+    f"what a gust of {sensor_guard.UNSEEN_GUST:g} m/s does by that angle",
     f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
     f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
     f"so that the path follows within {scaling.PATH_LAG_S:g} s",

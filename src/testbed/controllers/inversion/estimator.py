@@ -22,6 +22,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import MEAN_S
 from testbed.controllers.inversion.law import beyond_tangent, low_pass
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
+from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
 HEALTHY_VARIANCE = 0.01
@@ -78,7 +79,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
         variance = floor + c.coefficient_error * c.coefficient_error * squares
         if c.coefficient_error > 0.0:  # else the model is taken for exact, as with `model_error` switched off
             beyond = pressure_ratio * beyond_model(i, y, m)
-            variance += beyond * beyond
+            variance += beyond * beyond + unseen(i, m, s)
         if i == U_DOT and variance > s.model_error_variance[i]:
             s.model_error_variance[i] = variance
         else:

@@ -9,7 +9,8 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
   where that angle is not known either,
 * rates of rotation from the attitude.
 
-These leave out what gusts do to the flow. So while a vane is stuck, all of the model error b is made up for.
+These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made
+up for.
 
 Letters: those of `records`; raw is the measured state, and y the one that is believed.
 """
@@ -22,7 +23,7 @@ import math
 from testbed.common import angles
 from testbed.common.jit import compiled
 from testbed.common.signals import GUARDED
-from testbed.controllers.records import BETA
+from testbed.controllers.records import BETA, D_ALPHA, D_BETA
 
 REPEATS_S = 0.2
 """How long a reading must be the same to the last digit [s]. A 12 bit vane in calm air repeats itself for less than 0.1 s."""
@@ -38,6 +39,9 @@ LEAST_LIFT = 0.25
 """Least lift at V_0 from which airspeed is computed [weights]: less would be more than twice V_0."""
 ATTITUDE_RAD_S = 10.0
 """Corner of the lag on the rates that are differences of attitude [rad/s]."""
+UNSEEN_GUST = 0.76
+"""Standard deviation of gusts across the flow [m/s] at W20 = 25 ft/s (MIL-F-8785C, 3.7.3). At 18 m/s they last for 10 s, as the
+model error does."""
 G_ALPHA, G_BETA, G_AIRSPEED, G_P, G_Q, G_R = range(len(GUARDED))
 wrap = compiled(angles.wrap)
 
@@ -109,3 +113,14 @@ def attitude_rates(raw, c, s):
 def vane_is_stuck(s):
     """Whether angle of attack or sideslip is not measured."""
     return s.stuck[G_ALPHA] or s.stuck[G_BETA]
+
+
+@compiled
+def unseen(row, m, s):
+    """Variance of what gusts do to a rate by the angles that are not measured [x_c^2]; 0 while both vanes live."""
+    variance = 0.0
+    for stuck, column in ((s.stuck[G_ALPHA], D_ALPHA), (s.stuck[G_BETA], D_BETA)):
+        if stuck:
+            effect = m.A[row, column] * UNSEEN_GUST / m.airspeed
+            variance += effect * effect
+    return variance
