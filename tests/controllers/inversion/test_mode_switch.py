@@ -179,10 +179,10 @@ def test_a_level_trim_of_most_of_a_jam_comes_before_a_climb_that_balances_all() 
     modes.switch(5)
     texts = [text for _, text in modes.reasons]
     assert (
-        "left_ruddervator failed: no level trim balances the jam; flies by that of 80 % of its force" in texts
+        "left_ruddervator failed: no level trim balances the jam; flies by that of 70 % of its force" in texts
     )
     assert not any("altitude cannot be held" in text for text in texts)
-    assert modes.record[0].r_trim[0] == pytest.approx(0.8 * position, abs=0.05)
+    assert modes.record[0].r_trim[0] == pytest.approx(0.7 * position, abs=0.05)
 
 
 def test_an_aircraft_that_cannot_be_inverted_is_bad_input_before_the_flight() -> None:
