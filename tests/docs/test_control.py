@@ -29,11 +29,12 @@ SENTENCES = [
     f"If one change is more than {estimator.CHANGE_SIGMA:g} standard deviations, "
     f"and explains it {estimator.CHANGE_LEAD:g} times better",
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
-    f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
+    f"or {SET.propeller_threshold:g} for a motor or engine, for {SET.persistence_s:g} s",
     f"its estimate has fallen by more than {evidence.HALF_WAY:g} within a few seconds",
     f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
     f"{NUMBER[evidence.BEYOND_DOUBT]} standard deviations above the threshold",
-    f"gives {1 - evidence.HALF_WAY:g} to {1 + evidence.HALF_WAY:g} of its position's thrust",
+    f"gives {1 - evidence.HALF_WAY:g} to {1 + evidence.HALF_WAY:g} of its position's thrust, "
+    f"and {loss_detection.THRUST_SIGMA:g} standard deviations",
     f"`lambda_min` is {SET.lambda_min:g} here",
     f"until its estimate has stayed below its threshold for {evidence.SLOW_S:g} s",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
@@ -61,7 +62,7 @@ SENTENCES = [
     f"drawn within {sensor_guard.RECALL_S:g} s to that at which the angle of attack carries the weight",
     f"what a gust of {sensor_guard.UNSEEN_GUST:g} m/s does by that angle",
     f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
-    f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
+    f"more than {mode_trim._BANK_MAX:g} rad of bank or {mode_trim._BETA_MAX:g} rad of sideslip is no trim",
     f"so that the path follows within {scaling.PATH_LAG_S:g} s",
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {estimator.JAM_NOISE:g} scaled units",
     f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",

@@ -123,8 +123,8 @@ class AdaptiveInversionSettings(ControllerSettings):
     threshold: Fraction = 0.06
     """An actuator whose estimate stays below this is flagged as failed."""
     propeller_threshold: Fraction | None = None
-    """In place of `threshold` for a propeller, whose estimate is more certain than a surface's. With neither given it is 0.12 for
-    `weighted`; else it is `threshold`."""
+    """In place of `threshold` for a motor or engine, whose estimate is more certain than a surface's. With neither given it is
+    0.12 for `weighted`; else it is `threshold`."""
     recovery: Fraction = Field(default=0.8, validate_default=True)
     """A flagged actuator whose estimate stays above this is no longer flagged."""
     persistence_s: NonNegative = 0.1

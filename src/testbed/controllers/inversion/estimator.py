@@ -129,7 +129,7 @@ def expect_change(e, phi, m, c, s):
         elif ratio > second:
             second = ratio
     if first > CHANGE_SIGMA * CHANGE_SIGMA and first > CHANGE_LEAD * CHANGE_LEAD * second:
-        if is_of_position(best, s.lambda_hat[best] + change, m, c, s):
+        if is_of_position(best, s.lambda_hat[best] + change, c, s):
             expect_offset(best, change, phi, m, s)
         else:
             most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE

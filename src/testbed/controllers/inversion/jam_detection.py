@@ -44,7 +44,7 @@ rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST = 0.3
 """Share of the trim thrust that a flagged motor must give to be taken for jammed."""
 ENGINE_S = 8.0
-"""How long a probed engine must keep its thrust, or a force of its own, until it is taken for jammed [s]: within this time its
+"""How long a probed engine must keep its thrust, or a force of its own, until it is taken for jammed [s]: in about this time its
 probe says whether it works again. Its estimate climbs slowly then, and may pass its limit."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
@@ -59,7 +59,7 @@ designs are rounded. Without an elevator a tenth of its unit changes the only le
 
 @compiled
 def detect_jam(e, pressure_ratio, m, c, s):
-    """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
+    """Look for jammed actuators in the error e [4]; returns 1 when what is known of jams or offsets has changed.
 
     An actuator is taken for jammed
 

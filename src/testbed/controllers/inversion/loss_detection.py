@@ -45,8 +45,8 @@ def is_to_blame(i, c, s):
 @compiled
 def works(i, pressure_ratio, m, c, s):
     """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` beyond doubt. An engine that does not turn the aircraft also works if its thrust is about that of its position
-    (`thrust_given`): if it is stuck there, the commands that follow show it."""
+    `threshold` beyond doubt. A motor or engine that does not turn the aircraft also works if its thrust is about that of its
+    position (`thrust_given`): if it is stuck there, the commands that follow show it."""
     if s.lambda_hat[i] > c.recovery:
         return True
     if not c.weighted:
@@ -71,8 +71,8 @@ def thrust_given(i, pressure_ratio, m, s):
 
 @compiled
 def believe_thrust(i, pressure_ratio, m, s):
-    """Ascribe what an engine gives beyond its estimate, up to all of its position, to its effectiveness, and no longer to the model
-    error."""
+    """Ascribe what a motor or engine gives beyond its estimate, up to all of its position, to its effectiveness, and no longer to
+    the model error."""
     if s.position[i] <= 0.0:
         return
     believed = min(thrust_given(i, pressure_ratio, m, s)[0] / s.position[i], 1.0)

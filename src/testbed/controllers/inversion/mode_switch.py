@@ -77,7 +77,10 @@ class ModeSwitch:
         self._put_in_force(self.mode, regulator, ())
 
     def switch(self, step: int, airspeed: float | None = None) -> None:
-        """Put the mode for the flagged failures in force; if it cannot be flown, the present mode stays and the reason is noted.
+        """Put the mode for the flagged failures in force; if it cannot be flown, the reason is noted and the present mode stays.
+
+        Without a steady flight the outer loops fly on with the axes that are left, unless axes are released from the start or one
+        actuator is left.
 
         Args:
             airspeed: at which jammed motors and engines have their estimated thrust [m/s]; by default the reference airspeed.

@@ -59,7 +59,7 @@ _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same in a descent: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Extra scaled margin that makes up for an airspeed twice the wanted one, and for a path angle of 1 rad, or in a glide for sinking
-at the reference airspeed."""
+or climbing at the reference airspeed."""
 
 _EVERYTHING = ("airspeed", "altitude", "heading")
 
@@ -85,7 +85,8 @@ def steady_flight(
     with any number of surfaces and a motor that is stuck: drag balances its thrust at one airspeed.
     Without a motor the flight is a glide; airspeed and heading are held.
 
-    Where there is no level trim, the flight climbs or descends, at any airspeed; airspeed and heading are held.
+    Where there is no level trim, the flight climbs or descends, at any airspeed; airspeed and heading are held, or at last
+    heading alone.
 
     Args:
         title: what failed, for the message.

@@ -30,7 +30,7 @@ NEAR_SIGMAS = 1.5
 
 
 @compiled
-def is_of_position(i, estimate, m, c, s):
+def is_of_position(i, estimate, c, s):
     """Whether actuator i is in use, and its change to this `estimate` is one of position: it cannot have this effectiveness, or it
     has moved already. One that acts late is excluded, because a wrong time explains such changes too."""
     in_use = c.tests_offsets and c.turns[i] and not (s.failed[i] or s.jammed[i])

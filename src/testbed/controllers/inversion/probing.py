@@ -144,8 +144,8 @@ def filtered_position_of(i, c, s):
 
 @compiled
 def use_again(i, gain, pressure_ratio, m, s):
-    """Take an actuator for working, with this effectiveness [1]. One that was held has an offset if its force is not that of its
-    command: the model error takes it over, and commands make up for it (`offset_detection`)."""
+    """Take an actuator for working, with this effectiveness [1]. A surface that was held has an offset, by which its force is not
+    that of its command: the model error takes it over, and commands make up for it (`offset_detection`)."""
     if s.jammed[i]:
         offset = s.lambda_hat[i] - s.probe_lags[i, 1]
         for row in range(4):

@@ -43,8 +43,8 @@ from testbed.controllers.records import U_DOT
 def adaptive_step(step, parts):
     """Estimate, monitor, invert and command for one measured state.
 
-    Returns 1 when the flagged failures changed, or a jammed actuator moved. Then nothing has been commanded yet: the caller
-    must put the new mode in force, and then call `command_step`.
+    Returns 1 when the flagged failures or the stuck sensors changed, an offset was found, or a jammed actuator moved. Then nothing
+    has been commanded yet: the caller must put the new mode in force, and then call `command_step`.
 
     Args:
         step: row of the channels.
