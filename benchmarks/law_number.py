@@ -118,6 +118,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
         with_value((ROOT / file_of(module)).read_text(encoding="utf-8"), name, value)
     options.folder = options.folder.absolute()
     options.folder.mkdir(parents=True, exist_ok=True)
+    if Path(options.suite).is_file():
+        options.suite = str(Path(options.suite).absolute())  # each value is flown in a folder of its own
     if options.kind:
         options.suite = str(options.folder / f"{options.kind}.yaml")
         Path(options.suite).write_text(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import law_number
 import law_numbers
+import pandas as pd
 import pytest
 
 TEXT = 'A = 1.0\n"""Alone."""\nB, C = 2.0, 3.0  # two\nD = np.linspace(\n    0.0,\n    1.0,\n)\nE = 5\n'
@@ -39,3 +40,19 @@ def test_what_is_no_number_of_the_law_is_said_before_anything_flies(wrong: str, 
     with pytest.raises(SystemExit, match=r"NOTHING|nowhere"):
         law_number.main([str(tmp_path / "out"), wrong, "1.0"])
     assert not (tmp_path / "out").exists()
+
+
+def test_a_suite_in_the_present_folder_is_found_from_every_other(tmp_path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    suites = []
+
+    def fly(folder, options, number="", value=""):  # type: ignore[no-untyped-def]
+        suites.append(options.suite)
+        return pd.DataFrame({key: [1.0, 2.0] for key in ("held", "inside", "survived", *law_number.WORST)})
+
+    monkeypatch.setattr(law_number, "fly", fly)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.yaml").touch()
+    law_number.main(["out", "evidence.SLOW_S", "1.0", "--suite", "mine.yaml"])
+    law_number.main(["out", "evidence.SLOW_S", "1.0", "--kind", "thrust"])
+    law_number.main(["out", "evidence.SLOW_S", "1.0"])
+    assert suites[::2] == [str(tmp_path / "mine.yaml"), str(tmp_path / "out" / "thrust.yaml"), "open"]
