@@ -3,7 +3,7 @@
 HALF_WAY = 0.5
 """Half-way between two hypotheses that are 1 apart in effectiveness [1]: 0 lost or held, 1 works, -1 reversed."""
 BEYOND_DOUBT = 3.0
-"""Standard deviations of its estimate at which a hypothesis is rejected: by chance once in 370 independent looks."""
+"""Standard deviations of its estimate at which a hypothesis is rejected: by chance, to one side, once in 741 independent looks."""
 MEAN_S = 1.0
 """Time constant of the means of what gusts disturb, and how long a test of such a mean must hold [s]. Chosen by two healthy flights
 of an OV-10 (suite `healthy`, seed 59831983, draws 15 and 18), whose elevator was taken for jammed; shorter than the filter's own
