@@ -44,7 +44,7 @@ _TURNING_RAD_S = 0.3
 """Pitching and yawing of an aircraft in gusts, by which their velocity enters forward acceleration [rad/s]."""
 _MODEL_ANGLE = 0.005
 """Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
-_MODEL_U_DOT = 0.1  # m/s2
+_MODEL_U_DOT = 0.1  # error of modelled forward acceleration at the trim, m/s2
 _ENGINE_MARGIN = 3.0  # the airspeed loop is this much slower than the slowest engine
 _DEMANDS = {
     "q_dot": LOOP_GAINS["pitch_kp"].ample * LOOP_GAINS["q_kp"].ample * 0.11,
@@ -53,10 +53,12 @@ _DEMANDS = {
 }
 """Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), 25 deg of bank, and 0.15
 rad of sideslip."""
-_NO_AUTHORITY = 1e-3  # rad/s2
+_NO_AUTHORITY = 1e-3  # authority of an axis below which it has none, rad/s2
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
-_AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator
+_AIRSPEED_SHARE = (
+    1.0 / 18.0
+)  # deviation of airspeed that is acceptable to a regulator, of the reference airspeed
 PATH_LAG_S = 0.8
 """Time constant with which the flight path is to follow pitch [s]."""
 _THRUST_SHARE = 0.5

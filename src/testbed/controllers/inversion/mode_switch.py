@@ -18,7 +18,7 @@ from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, Q_DOT
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
-_WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
+_WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference that an event says, m/s
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
 _JAM_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
 """Of the jammed actuators' positions, for which a trim is looked for in turn where there is no level one with all of them."""

@@ -17,7 +17,7 @@ from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft, cl
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
 
 _ANGLE, _SPEED = 0.2, 3.0  # rad and m/s that count as one scaled position
-_ITERATIONS = 12
+_ITERATIONS = 12  # Gauss-Newton steps for a trim, at most
 _LARGEST_STEP = 1.0  # of an unknown in one iteration, in its unit
 _DIFFERENCE = 1e-6  # of the central differences, in the unit of each unknown, state or scaled position
 _RESIDUAL_MAX = 1e-7  # largest rate that may remain [rad/s2, m/s2, m/s]
