@@ -14,6 +14,7 @@ from command_line import ROOT
 from scipy.linalg import expm
 from vtail_setup import vtail_setup
 
+from testbed.controllers.inversion import regulator as regulator_module
 from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
@@ -123,6 +124,18 @@ def test_jams_at_nearly_the_same_position_share_a_design() -> None:
     one, other, next_one = (regulator_for(SETUP, MODES[(0,)], {0: x}) for x in (0.58, 0.62, 0.68))
     assert one is other and one is not next_one
     assert one.r_trim[0] == pytest.approx(0.6)
+
+
+def test_an_ill_conditioned_design_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With one axis kept of fourteen states, the order of the eigenvalues was beyond the solver, and the flight ended with its
+    ValueError. Which matrices are, depends on the BLAS: so the error is raised here."""
+
+    def ill_conditioned(*_: np.ndarray) -> np.ndarray:
+        raise ValueError("Reordering of (A, B) failed")
+
+    monkeypatch.setattr(regulator_module, "solve_continuous_are", ill_conditioned)
+    with pytest.raises(NoSteadyFlight, match="cannot stabilise"):
+        design_regulator(SETUP, MODES[(0,)], {})
 
 
 def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:

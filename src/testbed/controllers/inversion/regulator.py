@@ -201,8 +201,13 @@ def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tupl
     (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 
     Raises:
-        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
+        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach, or none are found,
+            as the equation is ill-conditioned.
     """
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so a flight's bytes
-        K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
+        try:
+            P = solve_continuous_are(A, B, Q, R)
+        except ValueError as problem:  # of the ordering of the eigenvalues; LinAlgError is one, too
+            raise np.linalg.LinAlgError(str(problem)) from problem
+        K = np.linalg.solve(R, B.T @ P)
         return K, np.linalg.eigvals(A - B @ K)
