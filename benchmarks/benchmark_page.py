@@ -6,10 +6,11 @@
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
-the same draws are taken; the one of `--parts` has the default without its parts, of which the page keeps what it says if none is
-given, and those of `--acts` have it without one part each (`parts_where_they_act.py`) and take the place of those that the page
-has. The one of `--more` has the default and its nearest rival on more draws: the groups are of these. With `--commit` the page is
-stamped with the commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
+the same draws are taken. Those of `--parts` have the default with and without its parts, on the same draws; the page keeps what it
+says of them if none is given. Those of `--acts` have it without one part each (`parts_where_they_act.py`) and take the place of
+those that the page has. The one of `--more` has the default and its nearest rival on more draws: the groups are of these. With
+`--commit` the page is stamped with the commit that flew them and the environment that they say. An entry is a folder in
+`leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -91,7 +92,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument(
         "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
     )
-    parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
+    parser.add_argument(
+        "--parts",
+        nargs="+",
+        type=Path,
+        default=[],
+        help="folders of the default, and of it without its parts",
+    )
     parser.add_argument("--acts", nargs="+", type=Path, default=[], help="folders of kinds of flights")
     parser.add_argument(
         "--more", nargs="+", type=Path, default=[],
@@ -112,8 +119,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     law = summaries[0]["law_sha256"]
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     acts = [*map(summary_of, options.acts)]
-    if options.parts is not None:
-        parts = parts_of(summary_of(options.parts), law, acts)
+    if options.parts:
+        parts = parts_of(summary_of(options.parts[0], options.parts[1:]), law, acts)
     elif acts:
         parts = [*without(parts[:2], acts), *where_they_act(acts, law)]
     more = nearest(options.more, summaries[0]) if options.more else []
