@@ -120,7 +120,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     acts = [*map(summary_of, options.acts)]
     if options.parts:
-        parts = parts_of(summary_of(options.parts[0], options.parts[1:]), law, acts)
+        of_before = [] if acts else parts[2:]
+        parts = [*parts_of(summary_of(options.parts[0], options.parts[1:]), law, acts), *of_before]
     elif acts:
         parts = [*without(parts[:2], acts), *where_they_act(acts, law)]
     more = nearest(options.more, summaries[0]) if options.more else []
