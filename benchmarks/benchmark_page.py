@@ -93,11 +93,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
     )
     parser.add_argument(
-        "--parts",
-        nargs="+",
-        type=Path,
-        default=[],
-        help="folders of the default, and of it without its parts",
+        "--parts", nargs="+", type=Path, default=[], help="folders of the default with and without parts"
     )
     parser.add_argument("--acts", nargs="+", type=Path, default=[], help="folders of kinds of flights")
     parser.add_argument(

@@ -56,9 +56,8 @@ rad of sideslip."""
 _NO_AUTHORITY = 1e-3  # authority of an axis below which it has none, rad/s2
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
-_AIRSPEED_SHARE = (
-    1.0 / 18.0
-)  # deviation of airspeed that is acceptable to a regulator, of the reference airspeed
+_AIRSPEED_SHARE = 1.0 / 18.0
+"""Deviation of airspeed that is acceptable to a regulator, of the reference airspeed."""
 PATH_LAG_S = 0.8
 """Time constant with which the flight path is to follow pitch [s]."""
 _THRUST_SHARE = 0.5

@@ -116,7 +116,7 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
     Q, R = _weights(setup.control.regulator, degraded, held, inverse[:, kept])
     try:
         K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], np.diag(Q[states]), R)
-    except np.linalg.LinAlgError:
+    except ValueError:  # LinAlgError is one
         what = "what is left cannot stabilise the aircraft about its trim"
         raise NoSteadyFlight(f"{mode.title}: {what}") from None
     gains = np.zeros((4, len(A)))
@@ -201,13 +201,9 @@ def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tupl
     (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 
     Raises:
-        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach, or none are found,
-            as the equation is ill-conditioned.
+        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
+        ValueError: none are found, as the equation is ill-conditioned.
     """
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so a flight's bytes
-        try:
-            P = solve_continuous_are(A, B, Q, R)
-        except ValueError as problem:  # of the ordering of the eigenvalues; LinAlgError is one, too
-            raise np.linalg.LinAlgError(str(problem)) from problem
-        K = np.linalg.solve(R, B.T @ P)
+        K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
         return K, np.linalg.eigvals(A - B @ K)
