@@ -14,6 +14,7 @@ from scenario_files import GOOD, again_as_it_is
 from testbed.aircraft.description import load_aircraft
 from testbed.failures import TABLE as FAILURES
 from testbed.scenario.load import Scenario, load_scenario
+from testbed.scenario.model import MAX_NAME
 
 
 def test_defaults_complete_the_scenario(tmp_path: Path) -> None:
@@ -50,8 +51,8 @@ numbers = st.floats(-1e6, 1e6)
 
 
 rates = st.integers(1, 20)
-texts = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
-"""Text that a file can hold: without NUL, without halves of surrogate pairs."""
+texts = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"), max_size=MAX_NAME)
+"""Text that a file can hold, and a name: without NUL, without halves of surrogate pairs."""
 some_text = texts.filter(lambda text: text.splitlines() == [text])  # names are one line
 
 
