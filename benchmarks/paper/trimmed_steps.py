@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.law import low_pass
+from testbed.controllers.inversion.law import lag_gain, low_pass
 
 
 @compiled
 def filter_error(e, lags, a):
     """The two lags of the regression on each row of e [steps, 4], in place."""
+    gain = lag_gain(a)
     for k in range(len(e)):
-        low_pass(e[k], lags, a)
+        low_pass(e[k], lags, gain)
 
 
 @compiled

@@ -44,6 +44,7 @@ from testbed.controllers.inversion.law import (
     compensate,
     effect_ratio,
     invert,
+    lag_gain,
     low_pass,
     pressure_ratio_of,
     regressor,
@@ -76,7 +77,7 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
                 z[i] += phi[i, j]
             elif not s.failed[j]:
                 z[i] -= phi[i, j]
-    low_pass(z, s.filtered, c.filter_rate * c.dt)
+    low_pass(z, s.filtered, lag_gain(c.filter_rate * c.dt))
 
 
 @compiled
@@ -140,8 +141,9 @@ def increments(y, pressure_ratio, m, c, s, h):
         if not m.servo[j]:
             for i in range(4):
                 h.rates[i] -= m.B_torque[i, j] * (s.torque[j] - m.torque_slope[j] * s.position[j])
-    low_pass(h.rates, h.rate_lags, h.filter_rate * c.dt)
-    low_pass(h.inputs, h.input_lags, h.filter_rate * c.dt)
+    gain = lag_gain(h.filter_rate * c.dt)
+    low_pass(h.rates, h.rate_lags, gain)
+    low_pass(h.inputs, h.input_lags, gain)
     for i in range(4):
         h.change[i] = (h.change[i] + h.rates[i]) / c.dt
     for j in range(len(h.inputs)):

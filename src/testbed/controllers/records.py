@@ -252,7 +252,7 @@ WORK = (
     Field("e", (4,), "x_c", "measured error z - Phi lambda_hat", "(10)"),
     Field("nu", (4,), "x_c", "virtual control, the bracket [x_dc_dot - f_m]", "(6), (29)"),
     Field("phi", (4, _N), "x_c", "Phi = B_m diag(a): effect of each actuator if fully effective", "(12)"),
-    Field("rate", (4,), "x_c", "rate of a filtered column of Phi over the filter's corner"),
+    Field("weight", (4,), "1 per x_c^2", "one over the variance of the mean innovation of each rate"),
     Field("P_h", ("n+4",), "1, scaled, x_c", "P times a row of (Phi, I), in the Kalman update"),
     Field("d", (_N,), "scaled", "effective positions beyond the mode's trim, in the allocation"),
     Field("g", (_N,), "1 per scaled", "right-hand side of the allocation's normal equations"),

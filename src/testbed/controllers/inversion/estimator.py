@@ -20,7 +20,7 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import MEAN_S
-from testbed.controllers.inversion.law import beyond_tangent, low_pass
+from testbed.controllers.inversion.law import beyond_tangent
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
@@ -48,8 +48,6 @@ With the noise of a jam the estimate was 0.2 s late."""
 
 LATENESS_MAX = 8.0
 """Largest lateness [1/w_f], 0.4 s with the default filter: the longest delay that the suite `open` draws."""
-LATENESS_MIN = 1e-3
-"""Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 LATENESS_VARIANCE_MAX = 0.05
 """Largest variance of a lateness [1/w_f^2]. Were it larger, a sudden loss would at first be taken for a delay."""
 
@@ -99,7 +97,7 @@ def beyond_model(row, y, m):
 
 
 @compiled
-def expect_change(e, phi, m, c, s):
+def expect_change(e, phi, m, c, s, weight):
     """Give the effectiveness that has just changed the variance of that change, so that the filter follows it at once.
 
     A random walk follows a sudden loss slowly, and spreads it over all actuators meanwhile. So the mean of the innovation e - b
@@ -109,18 +107,22 @@ def expect_change(e, phi, m, c, s):
     actuator. If the best is above `CHANGE_SIGMA`^2, and `CHANGE_LEAD`^2 times the next best, the variance of that estimate becomes
     at least the square of the change. If the change `is_of_position`, that variance goes to the model error along the
     actuator's column of Phi.
+
+    Args:
+        weight: [4] working memory.
     """
-    for row in range(4):  # the mean of the innovation e - b
+    n = len(s.lambda_hat)
+    for row in range(
+        4
+    ):  # the mean of the innovation e - b, and one over its variance: S / 2T of gusts, and that of b
         s.recent[row] += c.dt / CHANGE_TIME_S * (e[row] - s.b[row] - s.recent[row])
+        weight[row] = 1.0 / (0.5 * c.noise[row] * c.noise[row] / CHANGE_TIME_S + s.P[n + row, n + row])
     best, first, second, change = -1, 0.0, 0.0, 0.0
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 1e-12
-        n = len(s.lambda_hat)
         for row in range(4):
-            # One over the variance of the mean: S / 2T of gusts, and that of b.
-            weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / CHANGE_TIME_S + s.P[n + row, n + row])
-            projection += phi[row, i] * weight * s.recent[row]
-            information += phi[row, i] * weight * phi[row, i]
+            projection += phi[row, i] * weight[row] * s.recent[row]
+            information += phi[row, i] * weight[row] * phi[row, i]
         ratio = projection * projection / information
         if s.jammed[i]:
             ratio *= JAM_MOVES_FACTOR
@@ -178,20 +180,23 @@ def update_by_rate(row, z, h, P_h, c, s):
     n = len(s.lambda_hat)
     error = z - s.b[row]  # the innovation: (10) less the model error
     for i in range(n + 4):
-        P_h[i] = s.P[i, n + row]
-        for j in range(n):
-            P_h[i] += s.P[i, j] * h[j]
+        P_h[i] = s.P[n + row, i]
+    for j in range(n):
+        for i in range(n + 4):
+            P_h[i] += s.P[j, i] * h[j]
     variance = c.noise[row] * c.noise[row] / c.dt + P_h[n + row]
     for i in range(n):
         error -= h[i] * s.lambda_hat[i]
         variance += h[i] * P_h[i]
+    share = error / variance
     for i in range(n):  # in place of (13)
-        s.lambda_hat[i] += P_h[i] * error / variance
+        s.lambda_hat[i] += P_h[i] * share
     for i in range(4):
-        s.b[i] += P_h[n + i] * error / variance
+        s.b[i] += P_h[n + i] * share
     for i in range(n + 4):
+        gain = P_h[i] / variance
         for j in range(n + 4):
-            s.P[i, j] -= P_h[i] * P_h[j] / variance
+            s.P[i, j] -= gain * P_h[j]
 
 
 @compiled
@@ -220,7 +225,7 @@ def forget_model_error(s):
 
 
 @compiled
-def delay_regressor(phi, c, s, w):
+def delay_regressor(phi, c, s):
     """Delay the regressor Phi [4, n], the output of the second lag, by the estimated lateness of each actuator.
 
     Lateness l is one more lag, in time constants 1/w_f of the regression's two equal lags. Of their outputs, phi_1 and phi_2,
@@ -234,10 +239,11 @@ def delay_regressor(phi, c, s, w):
     """
     step = c.filter_rate * c.dt  # of a lag of l time constants, times l
     for j in range(len(s.late)):
+        gain = step / (s.late[j] + step)
         for i in range(4):
-            w.rate[i] = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
-        low_pass(w.rate, s.late_rate[j], step / max(s.late[j], LATENESS_MIN))
-        for i in range(4):
+            rate = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
+            s.late_rate[j, 0, i] += gain * (rate - s.late_rate[j, 0, i])
+            s.late_rate[j, 1, i] += gain * (s.late_rate[j, 0, i] - s.late_rate[j, 1, i])
             phi[i, j] -= s.late[j] * s.late_rate[j, 0, i]
 
 

@@ -98,16 +98,22 @@ def regressor(pressure_ratio, m, s, phi):
 
 
 @compiled
-def low_pass(x, lags, a):
+def lag_gain(a):
+    """Share of the way to its input that a first-order lag goes in one step [1], by its corner frequency times the step, w dt [1];
+    all of it where that is 0, which means no lag."""
+    return 1.0 - math.exp(-a) if a > 0.0 else 1.0
+
+
+@compiled
+def low_pass(x, lags, gain):
     """Two equal first-order lags in series on each element of x, in place.
 
     Args:
         x: [k] input, and output.
         lags: [2, k] state of the lags.
-        a: corner frequency times control step, w dt [1]; 0 for no filter.
+        gain: their `lag_gain`.
     """
-    if a > 0.0:
-        gain = 1.0 - math.exp(-a)
+    if gain < 1.0:
         for i in range(len(x)):
             lags[0, i] += gain * (x[i] - lags[0, i])
             lags[1, i] += gain * (lags[0, i] - lags[1, i])

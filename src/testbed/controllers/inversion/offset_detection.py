@@ -139,7 +139,7 @@ def was_a_gust(i, offset, pressure_ratio, m, s):
         information += weight * m.B[row, i]
         for other in range(4):
             variance += weight * s.P[n + row, n + other] * m.B[other, i] / s.model_error_variance[other]
-    missing = abs(s.moved[i]) - pressure_ratio * offset * math.copysign(1.0, s.moved[i])
+    missing = abs(s.moved[i]) - effect_ratio(i, pressure_ratio, m) * offset * math.copysign(1.0, s.moved[i])
     return missing * information > BEYOND_DOUBT * math.sqrt(max(variance, 0.0))
 
 
@@ -159,7 +159,7 @@ def keep_offsets(pressure_ratio, m, c, s):
     n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
         if s.moved[i] != 0.0 or s.offset[i] != 0.0:
-            force = pressure_ratio * offset_in_model_error(i, pressure_ratio, m, s)[0]
+            force = effect_ratio(i, pressure_ratio, m) * offset_in_model_error(i, pressure_ratio, m, s)[0]
             size = abs(force) if s.moved[i] == 0.0 else min(abs(force), abs(s.moved[i]))
             for row in range(4):
                 s.b[row] += rate * m.B[row, i] * force
@@ -186,5 +186,5 @@ def force_of_offsets(row, pressure_ratio, m, s):
     force = 0.0
     for i in range(len(s.offset)):
         if s.offset[i] != 0.0:
-            force += m.B[row, i] * pressure_ratio * s.offset[i]
+            force += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * s.offset[i]
     return force

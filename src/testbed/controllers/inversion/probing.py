@@ -22,7 +22,7 @@ from testbed.controllers.inversion.jam_detection import (
     take_for_reversed,
     take_for_working,
 )
-from testbed.controllers.inversion.law import effect_ratio
+from testbed.controllers.inversion.law import effect_ratio, lag_gain
 from testbed.controllers.inversion.offset_detection import deviation
 
 MEMORY_S = 2.0
@@ -135,8 +135,7 @@ def unexplained(i, row, e, position, pressure_ratio, m, c, s):
 @compiled
 def filtered_position_of(i, c, s):
     """Modelled position of an actuator that is given up [scaled], through the two lags of the regression."""
-    a = c.filter_rate * c.dt
-    gain = 1.0 - math.exp(-a) if a > 0.0 else 1.0
+    gain = lag_gain(c.filter_rate * c.dt)
     s.probe_lags[i, 0] += gain * (s.position[i] - s.probe_lags[i, 0])
     s.probe_lags[i, 1] += gain * (s.probe_lags[i, 0] - s.probe_lags[i, 1])
     return s.probe_lags[i, 1]

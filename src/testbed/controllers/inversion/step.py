@@ -25,6 +25,7 @@ from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
     effect_ratio,
+    lag_gain,
     low_pass,
     measured_error,
     pressure_ratio_of,
@@ -76,12 +77,12 @@ def estimate(y, ref, m, c, s, w):
     pressure_ratio = pressure_ratio_of(y, m)
     regression(y, pressure_ratio, m, c, s, w)  # both sides of (10)
     if c.weighted:
-        delay_regressor(phi, c, s, w)
+        delay_regressor(phi, c, s)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)  # (10)
     if c.weighted:
         estimate_lateness(e, c, s)
-        expect_change(e, phi, m, c, s)
+        expect_change(e, phi, m, c, s, w.weight)
         keep_offsets(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
@@ -103,9 +104,10 @@ def regression(y, pressure_ratio, m, c, s, w):
     for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
         z[i] += m.offset[i] * pressure_ratio
     regressor(pressure_ratio, m, s, phi)
-    low_pass(z, s.filtered, c.filter_rate * c.dt)
+    gain = lag_gain(c.filter_rate * c.dt)
+    low_pass(z, s.filtered, gain)
     for i in range(4):
-        low_pass(phi[i], s.filtered_phi[:, i], c.filter_rate * c.dt)
+        low_pass(phi[i], s.filtered_phi[:, i], gain)
 
 
 @compiled
