@@ -16,8 +16,8 @@ from testbed.controllers.inversion.estimator import (
     delay_regressor,
     estimate_lateness,
 )
-from testbed.controllers.inversion.law import low_pass
-from testbed.controllers.records import memory_dtype, settings_dtype, work_dtype
+from testbed.controllers.inversion.law import lag_gain, low_pass
+from testbed.controllers.records import memory_dtype, settings_dtype
 from testbed.flight.flight import Outcome
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -31,7 +31,6 @@ def oscillation(
 ) -> tuple[Any, np.ndarray]:
     """Memory after an oscillation of `rate` rad/s with the first actuator late or weak, and the last error that was left [4]."""
     c, s = np.zeros(1, settings_dtype(N))[0], np.zeros(1, memory_dtype(N))[0]
-    w = np.zeros(1, work_dtype(N))[0]
     c.dt, c.late_noise, c.filter_rate = DT, 0.1, CORNER
     c.noise[:] = [0.5, 0.5, 0.15, 0.08]
     s.lambda_hat[:] = 1.0
@@ -43,10 +42,10 @@ def oscillation(
         late = np.array([effectiveness * math.sin(rate * (t - delay_s)), a[1]])
         phi[:] = EFFECT * a
         z = EFFECT @ late
-        low_pass(z, z_lags, CORNER * DT)
+        low_pass(z, z_lags, lag_gain(CORNER * DT))
         for i in range(4):
-            low_pass(phi[i], s.filtered_phi[:, i], CORNER * DT)
-        delay_regressor(phi, c, s, w)
+            low_pass(phi[i], s.filtered_phi[:, i], lag_gain(CORNER * DT))
+        delay_regressor(phi, c, s)
         e[:] = z - phi @ s.lambda_hat
         estimate_lateness(e, c, s)
         if t > seconds - 2.0:

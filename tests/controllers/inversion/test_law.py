@@ -18,6 +18,7 @@ from testbed.controllers.inversion.law import (
     beyond_tangent,
     compensate,
     invert,
+    lag_gain,
     low_pass,
     measured_error,
     modified_inverse,
@@ -108,13 +109,13 @@ def test_the_filter_is_two_equal_lags() -> None:
     lags, out = np.zeros((2, 1)), []
     for value in x:
         signal = np.array([value])
-        low_pass(signal, lags, a)
+        low_pass(signal, lags, lag_gain(a))
         out.append(signal[0])
     gain = 1.0 - math.exp(-a)
     once = lfilter([gain], [1.0, gain - 1.0], x)
     assert out == pytest.approx(lfilter([gain], [1.0, gain - 1.0], once), abs=1e-12)
     signal = np.array([3.0])
-    low_pass(signal, lags, 0.0)
+    low_pass(signal, lags, lag_gain(0.0))
     assert signal[0] == 3.0, "a of 0 is no filter"
 
 

@@ -55,7 +55,7 @@ def estimated(made: Records, actuator: int, position: Position, start_s: float, 
         w.z[:] = np.array(m.B) @ true
         regressor(1.0, m, s, w.phi)
         measured_error(w.z, w.phi, s, w.e)
-        expect_change(w.e, w.phi, m, c, s)
+        expect_change(w.e, w.phi, m, c, s, np.zeros(4))
         adapt_weighted(w.z, w.phi, w.P_h, m, c, s)
         detect_jam(w.e, 1.0, m, c, s)
 
@@ -112,7 +112,7 @@ def test_what_no_effectiveness_explains_is_an_offset_where_it_is_told_from_gusts
     phi = np.array(m.B) * 0.2
     error = phi[:, 1] * 6.0
     for _ in range(5):
-        expect_change(30.0 * error, phi, m, c, s)
+        expect_change(30.0 * error, phi, m, c, s, np.zeros(4))
     grown = s.P - before
     along = np.outer(phi[:, 1], phi[:, 1])
     assert (grown[1, 1] == 0.0) == bool(turns)
@@ -127,7 +127,7 @@ def test_what_changes_after_a_move_is_position_too() -> None:
     phi = np.array(m.B) * 3.0
     for moved in (0.0, 1.0):
         s.moved[1], s.recent[:], before = moved, -0.5 * phi[:, 1], s.P.copy()
-        expect_change(-0.5 * phi[:, 1], phi, m, c, s)
+        expect_change(-0.5 * phi[:, 1], phi, m, c, s, np.zeros(4))
         grown = s.P - before
         assert (grown[1, 1] > 0.0, grown[N:, N:].any()) == (moved == 0.0, moved != 0.0)
 

@@ -20,7 +20,7 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import MEAN_S
-from testbed.controllers.inversion.law import beyond_tangent
+from testbed.controllers.inversion.law import beyond_tangent, lag_gain
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
@@ -48,6 +48,8 @@ With the noise of a jam the estimate was 0.2 s late."""
 
 LATENESS_MAX = 8.0
 """Largest lateness [1/w_f], 0.4 s with the default filter: the longest delay that the suite `open` draws."""
+LATENESS_MIN = 1e-3
+"""Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 LATENESS_VARIANCE_MAX = 0.05
 """Largest variance of a lateness [1/w_f^2]. Were it larger, a sudden loss would at first be taken for a delay."""
 
@@ -239,7 +241,7 @@ def delay_regressor(phi, c, s):
     """
     step = c.filter_rate * c.dt  # of a lag of l time constants, times l
     for j in range(len(s.late)):
-        gain = step / (s.late[j] + step)
+        gain = lag_gain(step / max(s.late[j], LATENESS_MIN))
         for i in range(4):
             rate = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
             s.late_rate[j, 0, i] += gain * (rate - s.late_rate[j, 0, i])

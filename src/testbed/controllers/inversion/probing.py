@@ -1,10 +1,11 @@
 """Probing: an actuator that is given up is moved a little to and fro, to find out whether it works again.
 
 At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
-So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
-`MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for changes
-when 0 is `BEYOND_DOUBT` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
-rates. An engine's is slower, as the engine is.
+So its command is trim + a sine. Its force follows its modelled position with a gain: 0 for one that is lost or held, 1 for one that
+works, -1 for one that is reversed. Whether 1 or -1 has taken the place of 0 is found by Page's test (CUSUM; Biometrika 41 (1954)
+100): the logarithm of the likelihood ratio of each to 0 is summed up, and begins again where it falls below 0. What the actuator is
+taken for changes when the sum is above `CERTAIN`. The noise is what gusts and the model's error do to the rates, and the sine is as
+large as `CERTAIN` needs in it within `WITHIN_S`. An engine's is slower, as the engine is.
 
 Letters: those of `records`.
 """
@@ -25,22 +26,25 @@ from testbed.controllers.inversion.jam_detection import (
 from testbed.controllers.inversion.law import effect_ratio, lag_gain
 from testbed.controllers.inversion.offset_detection import deviation
 
-MEMORY_S = 2.0
-"""Time constant of the least squares [s]: what works again is to be used within a few seconds, before something else fails."""
-DEVIATION = 0.2
-"""Standard deviation of g that the sine is made for [1]."""
-LARGEST = 0.4
-"""Largest amplitude of the sine [scaled]."""
+CERTAIN = 7.0
+"""Logarithm of a likelihood ratio that is believed [1]: one to 1100 by chance."""
+WITHIN_S = 0.7
+"""Time in which the sine is to show a gain [s]: what works again is to be used before something else fails."""
+QUICK_SHARE = 0.25
+"""Share of the variance of the model's error, beyond that at its trim, that varies as quickly as the sine [1]. Without it hardovers
+seemed to work in calm air; with all of it, and half the amplitude, propellers were found later than with a quarter."""
+LARGEST = 0.8
+"""Largest amplitude of the sine [scaled]. What is lost or held does not follow it: it moves an aircraft only until it is used."""
 RAD_S, RAD_S_MORE = 4.0, 1.0
 """Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves
 out. One that acts 0.3 s late has a gain of -0.2 at 6 rad/s, and of -0.9 at 9 rad/s, where it seems reversed."""
 ENGINE_SLOWER = 4.0
-"""How many times slower the sine of an engine is, and how many times longer its memory: it follows its throttle slowly [1]."""
+"""How many times slower the sine of an engine is, and how much longer it may take: it follows its throttle slowly [1]."""
 AT_LEAST_RAD = 3.0 * math.pi
 """Phase of the sine before which nothing is decided [rad]: within the first turn and a half a drift looks like a gain."""
-LARGEST_CHANGE = 10.0
+LARGEST_CHANGE = 5.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
-is a larger one."""
+is a larger one, and the sine's own is about as large."""
 OPPOSITE_WITHIN = 2.0
 """How far from the opposite of its command the force of a reversed surface may seem [scaled]: far from the trim the model is wrong
 by as much. The motions of an aircraft with a hardover have a gain, too."""
@@ -52,20 +56,20 @@ def probe(e, pressure_ratio, m, c, s):
     changed = 0
     for i in range(len(s.probe)):
         if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
-            s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
-            s.probe_mean[i] = s.probe_lags[i, 0] = s.probe_lags[i, 1] = s.position[i]
+            s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
+            s.probe_mean[i] = filtered_position_of(i, c, s)
             for row in range(4):
-                s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
+                s.probe_rest[i, row] = unexplained(i, row, e, s.probe_mean[i], pressure_ratio, m, s)
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
         too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
-        if too_early or s.probe_square[i] <= 0.0 or not has_room(i, m, s):
+        if too_early or not has_room(i, m, s):
+            s.works[i], s.reverses[i] = 0.0, 0.0
             continue
-        gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
-        if gain - BEYOND_DOUBT * sigma > 0.0 and gain > HALF_WAY:
-            use_again(i, gain, pressure_ratio, m, s)
+        if s.works[i] > CERTAIN:
+            use_again(i, pressure_ratio, m, s)
             changed = 1
-        elif gain + BEYOND_DOUBT * sigma < 0.0 and gain < -HALF_WAY and may_be_reversed(i, m, s):
+        elif s.reverses[i] > CERTAIN and may_be_reversed(i, m, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed
@@ -104,32 +108,32 @@ def slower(i, m):
 
 @compiled
 def follow_probe(i, e, pressure_ratio, m, c, s):
-    """Move the sine of actuator i on, and take this step's innovation into its least squares."""
-    information, memory = 0.0, MEMORY_S * slower(i, m)
-    for row in range(4):
-        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
-        information += column * column
-    amplitude = math.sqrt(2.0 / (information * memory)) / DEVIATION
-    s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S))
-    position = filtered_position_of(i, c, s)
+    """Add this step's logarithms of the likelihood ratios of actuator i to its sums, and move its sine on."""
+    position, rate = filtered_position_of(i, c, s), probe_rate(i, m)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
-    moved, fade = position - s.probe_mean[i], c.dt / memory
-    product = 0.0
+    moved, product, information = position - s.probe_mean[i], 0.0, 0.0
     for row in range(4):
-        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
-        change = unexplained(i, row, e, position, pressure_ratio, m, c, s) - s.probe_rest[i, row]
+        varies = max(s.model_error_variance[row] - c.model_error_std[row] * c.model_error_std[row], 0.0)
+        density = c.noise[row] * c.noise[row] + QUICK_SHARE * varies / rate
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
+        change = unexplained(i, row, e, position, pressure_ratio, m, s) - s.probe_rest[i, row]
         s.probe_rest[i, row] += c.dt * change
-        product += column * min(max(change, -LARGEST_CHANGE), LARGEST_CHANGE)
-    s.probe_product[i] += c.dt * moved * product - fade * s.probe_product[i]
-    s.probe_square[i] += c.dt * moved * moved * information - fade * s.probe_square[i]
+        most = LARGEST_CHANGE * math.sqrt(density)
+        product += column / density * min(max(change, -most), most)
+        information += column * column / density
+    half = HALF_WAY * moved * moved * information
+    s.works[i] = max(s.works[i] + c.dt * (moved * product - half), 0.0)
+    s.reverses[i] = max(s.reverses[i] - c.dt * (moved * product + half), 0.0)
+    # The mean of the sum's rate is a quarter of the amplitude's square times the information.
+    amplitude = math.sqrt(4.0 * CERTAIN / (information * WITHIN_S * slower(i, m)))
+    s.probe[i] = min(amplitude, LARGEST) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
 
 
 @compiled
-def unexplained(i, row, e, position, pressure_ratio, m, c, s):
-    """What the other actuators leave of a rate, over the root of its noise's density: the error e, and what is ascribed to
-    actuator i at this filtered position."""
+def unexplained(i, row, e, position, pressure_ratio, m, s):
+    """What the other actuators leave of a rate [x_c]: the error e, and what is ascribed to actuator i at this filtered position."""
     own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
-    return (e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own) / c.noise[row]
+    return e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own
 
 
 @compiled
@@ -142,14 +146,14 @@ def filtered_position_of(i, c, s):
 
 
 @compiled
-def use_again(i, gain, pressure_ratio, m, s):
-    """Take an actuator for working, with this effectiveness [1]. A surface that was held has an offset, by which its force is not
-    that of its command: the model error takes it over, and commands make up for it (`offset_detection`)."""
+def use_again(i, pressure_ratio, m, s):
+    """Take an actuator for working: most likely all of its effect has come back. A surface that was held has an offset, by which
+    its force is not that of its command: the model error takes it over, and commands make up for it (`offset_detection`)."""
     if s.jammed[i]:
-        offset = s.lambda_hat[i] - s.probe_lags[i, 1]
+        offset = s.lambda_hat[i] - s.probe_mean[i]
         for row in range(4):
             s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
         s.offset[i] = offset if m.servo[i] else 0.0
-    take_for_working(i, min(gain, 1.0), 4.0 * HEALTHY_VARIANCE, s)
+    take_for_working(i, 1.0, 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
-    s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
+    s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
