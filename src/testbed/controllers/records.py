@@ -219,7 +219,7 @@ MEMORY = (
     Field("attitude_rate", (3,), "rad/s", "their rates, through a lag"),
     Field("attitude_dot", (3,), "rad/s2", "the rates of those, through a lag"),
     Field("probe", (_N,), "scaled", "position beyond its trim to which one that is given up is commanded"),
-    Field("probe_lags", (_N, 2), "scaled", "state of the two lags on its modelled position"),
+    Field("probe_lags", (2, _N), "scaled", "state of the two lags of the regression on the modelled position of each actuator"),
     Field("probe_mean", (_N,), "scaled", "mean of that position"),
     Field("probe_rest", (_N, 4), "x_c", "mean of what the other actuators leave of each rate"),
     Field("works", (_N,), "1", "logarithm of the likelihood ratio of a gain of 1 of its moves to none, summed up from 0"),

@@ -40,8 +40,8 @@ def seconds_until_used(made: Records, i: int, gain: float, within_s: float = 10.
     for k in range(round(within_s / c.dt)):
         s.since_flag[i] += c.dt
         s.position[i] = m.trim_position[i] + s.probe[i]
-        force = gain * s.probe_lags[i, 1] + (held - gain * m.trim_position[i] if s.jammed[i] else 0.0)
-        own = s.lambda_hat[i] * (1.0 if s.jammed[i] else s.probe_lags[i, 1])
+        force = gain * s.probe_lags[1, i] + (held - gain * m.trim_position[i] if s.jammed[i] else 0.0)
+        own = s.lambda_hat[i] * (1.0 if s.jammed[i] else s.probe_lags[1, i])
         if probe(np.array(m.B)[:, i] * (force - own), 1.0, m, c, s):
             return (k + 1) * c.dt
     return math.inf

@@ -20,7 +20,7 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import MEAN_S
-from testbed.controllers.inversion.law import beyond_tangent, lag_gain
+from testbed.controllers.inversion.law import beyond_tangent, lag_gain, lagged
 from testbed.controllers.inversion.offset_detection import expect_offset, is_of_position
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
@@ -114,9 +114,8 @@ def expect_change(e, phi, m, c, s, weight):
         weight: [4] working memory.
     """
     n = len(s.lambda_hat)
-    for row in range(
-        4
-    ):  # the mean of the innovation e - b, and one over its variance: S / 2T of gusts, and that of b
+    for row in range(4):
+        # The mean of the innovation e - b, and one over its variance: S / 2T of gusts, and that of b.
         s.recent[row] += c.dt / CHANGE_TIME_S * (e[row] - s.b[row] - s.recent[row])
         weight[row] = 1.0 / (0.5 * c.noise[row] * c.noise[row] / CHANGE_TIME_S + s.P[n + row, n + row])
     best, first, second, change = -1, 0.0, 0.0, 0.0
@@ -244,8 +243,7 @@ def delay_regressor(phi, c, s):
         gain = lag_gain(step / max(s.late[j], LATENESS_MIN))
         for i in range(4):
             rate = s.filtered_phi[0, i, j] - s.filtered_phi[1, i, j]
-            s.late_rate[j, 0, i] += gain * (rate - s.late_rate[j, 0, i])
-            s.late_rate[j, 1, i] += gain * (s.late_rate[j, 0, i] - s.late_rate[j, 1, i])
+            lagged(rate, s.late_rate[j], i, gain)
             phi[i, j] -= s.late[j] * s.late_rate[j, 0, i]
 
 

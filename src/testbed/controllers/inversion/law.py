@@ -105,6 +105,14 @@ def lag_gain(a):
 
 
 @compiled
+def lagged(x, lags, i, gain):
+    """x after two equal first-order lags in series, with column i of `lags` [2, k] as their state and this `lag_gain`."""
+    lags[0, i] += gain * (x - lags[0, i])
+    lags[1, i] += gain * (lags[0, i] - lags[1, i])
+    return lags[1, i]
+
+
+@compiled
 def low_pass(x, lags, gain):
     """Two equal first-order lags in series on each element of x, in place.
 
@@ -115,9 +123,7 @@ def low_pass(x, lags, gain):
     """
     if gain < 1.0:
         for i in range(len(x)):
-            lags[0, i] += gain * (x[i] - lags[0, i])
-            lags[1, i] += gain * (lags[0, i] - lags[1, i])
-            x[i] = lags[1, i]
+            x[i] = lagged(x[i], lags, i, gain)
 
 
 @compiled

@@ -23,16 +23,16 @@ from testbed.controllers.inversion.jam_detection import (
     take_for_reversed,
     take_for_working,
 )
-from testbed.controllers.inversion.law import effect_ratio, lag_gain
+from testbed.controllers.inversion.law import effect_ratio, lag_gain, lagged
 from testbed.controllers.inversion.offset_detection import deviation
 
 CERTAIN = 7.0
-"""Logarithm of a likelihood ratio that is believed [1]: one to 1100 by chance."""
+"""Logarithm of a likelihood ratio that is believed [1]: 1100 to 1."""
 WITHIN_S = 0.7
 """Time in which the sine is to show a gain [s]: what works again is to be used before something else fails."""
 QUICK_SHARE = 0.25
-"""Share of the variance of the model's error, beyond that at its trim, that varies as quickly as the sine [1]. Without it hardovers
-seemed to work in calm air; with all of it, and half the amplitude, propellers were found later than with a quarter."""
+"""Share of the variance of the model's error, beyond that at its trim, that varies as quickly as the sine [1]. With none of it
+hardovers seemed to work in calm air. With all of it, propellers that worked again were found later than with a quarter."""
 LARGEST = 0.8
 """Largest amplitude of the sine [scaled]. What is lost or held does not follow it: it moves an aircraft only until it is used."""
 RAD_S, RAD_S_MORE = 4.0, 1.0
@@ -53,15 +53,16 @@ by as much. The motions of an aircraft with a hardover have a gain, too."""
 @compiled
 def probe(e, pressure_ratio, m, c, s):
     """Advance the probes of the actuators that are given up; returns 1 when one is used again."""
-    changed = 0
+    changed, gain = 0, lag_gain(c.filter_rate * c.dt)
     for i in range(len(s.probe)):
+        position = lagged(s.position[i], s.probe_lags, i, gain)  # as late as the regression
         if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
             s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
-            s.probe_mean[i] = filtered_position_of(i, c, s)
+            s.probe_mean[i] = position
             for row in range(4):
-                s.probe_rest[i, row] = unexplained(i, row, e, s.probe_mean[i], pressure_ratio, m, s)
+                s.probe_rest[i, row] = unexplained(i, row, e, position, pressure_ratio, m, s)
             continue
-        follow_probe(i, e, pressure_ratio, m, c, s)
+        follow_probe(i, e, position, pressure_ratio, m, c, s)
         too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
         if too_early or not has_room(i, m, s):
             s.works[i], s.reverses[i] = 0.0, 0.0
@@ -107,9 +108,10 @@ def slower(i, m):
 
 
 @compiled
-def follow_probe(i, e, pressure_ratio, m, c, s):
-    """Add this step's logarithms of the likelihood ratios of actuator i to its sums, and move its sine on."""
-    position, rate = filtered_position_of(i, c, s), probe_rate(i, m)
+def follow_probe(i, e, position, pressure_ratio, m, c, s):
+    """Add this step's logarithms of the likelihood ratios of actuator i, whose filtered position this is, to its sums, and move its
+    sine on."""
+    rate = probe_rate(i, m)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
     moved, product, information = position - s.probe_mean[i], 0.0, 0.0
     for row in range(4):
@@ -134,15 +136,6 @@ def unexplained(i, row, e, position, pressure_ratio, m, s):
     """What the other actuators leave of a rate [x_c]: the error e, and what is ascribed to actuator i at this filtered position."""
     own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
     return e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own
-
-
-@compiled
-def filtered_position_of(i, c, s):
-    """Modelled position of an actuator that is given up [scaled], through the two lags of the regression."""
-    gain = lag_gain(c.filter_rate * c.dt)
-    s.probe_lags[i, 0] += gain * (s.position[i] - s.probe_lags[i, 0])
-    s.probe_lags[i, 1] += gain * (s.probe_lags[i, 0] - s.probe_lags[i, 1])
-    return s.probe_lags[i, 1]
 
 
 @compiled
