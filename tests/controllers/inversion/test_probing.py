@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -163,6 +164,30 @@ def test_what_works_again_is_used_within_two_seconds(actuator: str, failure: str
     assert altitude < 4.0 and heading < 15.0
     without = flown(failure, "probing").log.set_index("time_s")[f"{actuator}_failed"]
     assert without[:17.0].iloc[-1] == 1
+
+
+@pytest.mark.nightly
+def test_nearly_all_that_work_again_are_used_within_two_seconds() -> None:
+    """On seeds that nothing was chosen on: 48 of 51 within 2 s, the last after 2.3 s, the median 1.1 s."""
+    times = []
+    actuators = ("left_ruddervator", "right_ruddervator", "left_propeller")
+    failures = ("type: effectiveness, value: 0", "type: stuck")
+    for actuator, failure, w20, seed in product(actuators, failures, (1.0, 5.0, 7.6), (11, 12, 13, 14)):
+        end = 30.5 + 0.23 * seed + 0.17 * w20
+        changes = [
+            f"failures=[{{{failure}, actuator: {actuator}, at_s: 15, until_s: {end}}}]",
+            f"atmosphere={{turbulence_w20_m_s: {w20}}}",
+            f"seed={seed}",
+            "commands=[]",
+            "requirements=[]",
+            "duration_s=50",
+        ]
+        log = fly(load_scenario(ROOT / "scenarios" / "mems_turbulence.yaml", changes)).log
+        time, failed = log["time_s"].to_numpy(), log[f"{actuator}_failed"].to_numpy()
+        if failed[(time > end - 3.0) & (time < end)].any():
+            times.append(min(time[(time > end) & (failed == 0)], default=math.inf) - end)
+    assert len(times) > 40 and np.median(times) < 1.5
+    assert np.mean(np.array(times) <= 2.0) > 0.9 and max(times) < 2.5
 
 
 @pytest.mark.parametrize("vane", ["alpha", "beta"])
