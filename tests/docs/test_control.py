@@ -12,7 +12,6 @@ from testbed.controllers.inversion import (
     estimator,
     evidence,
     jam_detection,
-    loss_detection,
     mode_trim,
     offset_detection,
     probing,
@@ -33,8 +32,6 @@ SENTENCES = [
     f"its estimate has fallen by more than {evidence.HALF_WAY:g} within a few seconds",
     f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
     f"{NUMBER[evidence.BEYOND_DOUBT]} standard deviations above the threshold",
-    f"gives {1 - evidence.HALF_WAY:g} to {1 + evidence.HALF_WAY:g} of its position's thrust, "
-    f"at least {loss_detection.THRUST_SIGMA:g} standard deviations",
     f"`lambda_min` is {SET.lambda_min:g} here",
     f"until its estimate has stayed below its threshold for {evidence.SLOW_S:g} s",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
@@ -44,7 +41,7 @@ SENTENCES = [
     f"({evidence.SLOW_S:g} s for a motor or engine)",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
-    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, at least {loss_detection.THRUST_SIGMA:g} standard "
+    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, at least {jam_detection.THRUST_SIGMA:g} standard "
     f"deviations, for {evidence.MEAN_S:g} s at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",

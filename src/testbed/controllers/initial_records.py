@@ -151,6 +151,6 @@ def trimmed_memory(setup: Setup) -> np.ndarray:
             s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, model.density_kg_m3)
         elif isinstance(propulsor, EngineMap):
             s.followed[i] = setup.trim_commands[i]
-    s.probe_lags[:] = s.position
+    s.filtered_position[:] = s.position
     s.pitch_integral = setup.trim_pitch
     return record

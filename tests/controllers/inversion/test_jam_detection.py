@@ -19,7 +19,6 @@ from testbed.controllers.inversion.jam_detection import (
     REDESIGN_AFTER,
     REVERSED_S,
     detect_jam,
-    filtered_position,
     likeliest_jam,
     take_for_jammed,
 )
@@ -33,6 +32,7 @@ N = 4
 def records() -> Records:
     made = records_of(SETUP)
     made.s.model_error_variance[:] = made.c.model_error_std**2
+    made.s.filtered_position[:] = 0.0
     return made
 
 
@@ -55,12 +55,12 @@ def test_the_ratio_is_that_of_weighted_least_squares() -> None:
     s.residual[:] = residual_of_a_test = np.array([0.9, -2.0, 0.8, 0.5])
     variance = 0.5 * c.noise**2 / MEAN_S + s.model_error_variance
     s.P[range(N), range(N)] = [0.01, 0.04, 0.02, 0.03]
-    c.filter_rate, s.position[:], ratios = 0.0, [2.0, -1.0, 1.5, 3.0], []
+    s.filtered_position[1], ratios = [2.0, -1.0, 1.5, 3.0], []
     for i in range(N):
         root = np.sqrt(variance)
         column, residual = m.B[:, i] / root, s.residual / root
         fit, *_ = np.linalg.lstsq(column[:, None], residual, rcond=None)
-        ratios.append(fit[0] ** 2 / (1.0 / (column @ column) + s.position[i] ** 2 * s.P[i, i]))
+        ratios.append(fit[0] ** 2 / (1.0 / (column @ column) + s.filtered_position[1, i] ** 2 * s.P[i, i]))
     best = int(np.argmax(ratios))
     for factor, expected in ((1.001, -1), (0.999, best)):
         s.residual[:] = residual_of_a_test * JAM_SIGMA / (math.sqrt(ratios[best]) * factor)
@@ -92,7 +92,7 @@ def test_white_residuals_flag_nothing() -> None:
 def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
     m, c, _, s, _ = records()
     s.lambda_hat[1] = -0.9
-    s.filtered_phi[1, :, 1] = 0.5 * m.B[:, 1]
+    s.filtered_position[1, 1] = 0.5
     steps = round(c.persistence / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps))
     assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0 and s.jammed[1] == 1
@@ -112,23 +112,13 @@ def test_a_weak_surface_that_stands_at_its_stop_is_held_once_the_flight_departs(
     the two are the same force."""
     m, c, _, s, _ = records()
     s.lambda_hat[1], s.saturated, s.at_stop[1], s.departed = estimate, 1, at_stop, departed
-    s.filtered_phi[1, :, 1] = -2.5 * m.B[:, 1]
+    s.filtered_position[1, 1] = -2.5
     steps = round(MEAN_S / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps)) and not s.jammed.any()
     for _ in range(3):
         detect_jam(np.zeros(4), 1.0, m, c, s)
     assert bool(s.jammed[1]) == held
     assert s.lambda_hat[1] == pytest.approx(-2.5 * estimate if held else estimate)
-
-
-def test_the_position_of_a_jam_is_that_of_the_filtered_regression() -> None:
-    """The command runs to a stop when an actuator jams, so its modelled position is far ahead of what the estimate belongs to."""
-    m, c, _, s, _ = records()
-    s.lambda_hat[1], s.position[1] = -0.8, 2.0
-    s.filtered_phi[1, :, 1] = 1.3 * m.B[:, 1] * 1.2
-    assert filtered_position(1, 1.2, m, c, s) == pytest.approx(1.3)
-    c.filter_rate = 0.0
-    assert filtered_position(1, 1.2, m, c, s) == 2.0
 
 
 def test_an_uncertain_negative_estimate_is_none() -> None:
@@ -299,7 +289,7 @@ def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
     and the model's error holds another, with a standard deviation."""
     m, c, _, s, _ = records()
     s.failed[actuator], s.lambda_hat[actuator] = 1, share
-    s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
+    s.filtered_position[1, actuator] = 2.0
     s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
     s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
     steps = math.ceil(MEAN_S / c.dt)

@@ -50,6 +50,7 @@ def estimated(made: Records, actuator: int, position: Position, start_s: float, 
         t = step * c.dt
         s.position[:] = m.trim_position
         s.position[:2] += 0.4 * np.sin(np.array([5.0, 3.5]) * t)
+        s.filtered_position[1] = s.position
         true = np.array(s.position)
         true[actuator] = position(t, true[actuator])
         w.z[:] = np.array(m.B) @ true

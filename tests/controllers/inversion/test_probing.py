@@ -12,6 +12,7 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
 from testbed.controllers.inversion.estimator import REVERSAL_S
+from testbed.controllers.inversion.law import lag_gain, lagged
 from testbed.controllers.inversion.probing import (
     AT_LEAST_RAD,
     LARGEST,
@@ -41,8 +42,9 @@ def seconds_until_used(made: Records, i: int, gain: float, within_s: float = 10.
     for k in range(round(within_s / c.dt)):
         s.since_flag[i] += c.dt
         s.position[i] = m.trim_position[i] + s.probe[i]
-        force = gain * s.probe_lags[1, i] + (held - gain * m.trim_position[i] if s.jammed[i] else 0.0)
-        own = s.lambda_hat[i] * (1.0 if s.jammed[i] else s.probe_lags[1, i])
+        lagged(s.position[i], s.filtered_position, i, lag_gain(c.filter_rate * c.dt))
+        force = gain * s.filtered_position[1, i] + (held - gain * m.trim_position[i] if s.jammed[i] else 0.0)
+        own = s.lambda_hat[i] * (1.0 if s.jammed[i] else s.filtered_position[1, i])
         if probe(np.array(m.B)[:, i] * (force - own), 1.0, m, c, s):
             return (k + 1) * c.dt
     return math.inf

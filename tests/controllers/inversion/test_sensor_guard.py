@@ -12,6 +12,7 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.signals import GUARDED, STATE, Belief, record_dtype
+from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.inversion.sensor_guard import (
     GYRO_REPEATS,
     RECALL_S,
@@ -67,6 +68,19 @@ def test_a_stuck_pitot_tube_is_replaced_by_the_forward_acceleration() -> None:
     assert y.airspeed - MODEL.airspeed_m_s == pytest.approx(
         RECALL_S * (1.0 - math.exp(-2.0 / RECALL_S)), abs=0.05
     )
+
+
+def test_a_stuck_sideslip_vane_is_replaced_by_the_side_force() -> None:
+    """With a bank and no turn the weight slips the aircraft sideways until the side force carries it; a yaw rate turns it away."""
+    made = records_of(SETUP)
+    m, v = made.m, MODEL.airspeed_m_s
+    seen(made, 0.5)
+    y, _ = seen(made, 60.0, "beta", roll=0.05, pitch=m.alpha)
+    weight = GRAVITY_M_S2 * math.cos(m.alpha) * math.sin(0.05)
+    assert y.beta == pytest.approx(weight / (v / RECALL_S - m.side_slope), rel=0.01)
+    before = y.beta
+    y, _ = seen(made, 0.1, "beta", roll=0.05, pitch=m.alpha, r=0.2)
+    assert y.beta - before == pytest.approx(-0.1 * 0.2 * math.cos(m.alpha), rel=0.05)
 
 
 def test_a_slow_flight_is_seen_in_its_angle_of_attack() -> None:

@@ -20,7 +20,6 @@ from testbed.controllers.inversion.estimator import (
 )
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
-from testbed.controllers.inversion.loss_detection import THRUST_SIGMA, thrust_given
 from testbed.controllers.inversion.offset_detection import (
     JAM_SIGMA,
     deviation,
@@ -43,6 +42,9 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST = 0.3
 """Share of the trim thrust that a flagged motor must give to be taken for jammed."""
+THRUST_SIGMA = 2.5
+"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
+half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 ENGINE_S = 8.0
 """How long a probed engine must keep its thrust, or a force of its own, until it is taken for jammed [s]: in about this time its
 probe says whether it works again. Its estimate climbs slowly then, and may pass its limit."""
@@ -86,7 +88,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         elif (explained and (s.moved[i] == 0.0 or not m.servo[i])) or (
             time > 0.0 and s.reversal_timer[i] > time + TIMER_ROUNDING
         ):
-            position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
+            position = s.lambda_hat[i] * s.filtered_position[1, i]
             if still > 0.0 or not m.servo[i]:
                 position += offset_in_model_error(i, pressure_ratio, m, s)[0]
             elif i == likeliest:
@@ -148,22 +150,11 @@ def keeps_thrust(i, pressure_ratio, m, c, s):
     thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
-    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
+    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    thrust = (
+        s.lambda_hat[i] * s.position[i] + offset
+    )  # while its command stands still, the filter cannot tell the two apart
     return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
-
-
-@compiled
-def filtered_position(i, pressure_ratio, m, c, s):
-    """Modelled position of an actuator [scaled] through the lags of the regression, from its column of Phi. Its estimate belongs to
-    this position and not to the present one: a servo moves by a scaled unit within the lags' delay."""
-    if c.filter_rate == 0.0:
-        return s.position[i]
-    projection, square = 0.0, 0.0
-    for row in range(4):
-        b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
-        projection += b * s.filtered_phi[1, row, i]
-        square += b * b
-    return projection / square
 
 
 @compiled
@@ -259,7 +250,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
             projection += b * weight * s.residual[row]
             information += b * weight * b
         # An error of the effectiveness, times the position, is an offset too.
-        position = filtered_position(i, pressure_ratio, m, c, s)
+        position = s.filtered_position[1, i]
         variance = 1.0 / information + position * position * s.P[i, i]
         change = projection / information
         ratio = change * change / variance

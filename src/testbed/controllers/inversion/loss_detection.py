@@ -8,15 +8,11 @@ Letters: those of `records`.
 from __future__ import annotations
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
-from testbed.controllers.inversion.offset_detection import deviation, offset_in_model_error
+from testbed.controllers.inversion.offset_detection import deviation
 from testbed.controllers.outer_loops import wrap
 
-THRUST_SIGMA = 2.5
-"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
-half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 MUCH_MORE = 3.0
 """Ratio of two motors' thrust [1] that is no noise of the estimates."""
 
@@ -43,45 +39,11 @@ def is_to_blame(i, c, s):
 
 
 @compiled
-def works(i, pressure_ratio, m, c, s):
+def works(i, c, s):
     """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` beyond doubt. A motor or engine that does not turn the aircraft also works if its thrust is about that of its
-    position (`thrust_given`): if it is stuck there, the commands that follow show it."""
-    if s.lambda_hat[i] > c.recovery:
-        return True
-    if not c.weighted:
-        return False
+    `threshold` beyond doubt."""
     least = c.threshold + c.threshold_rise[i] + BEYOND_DOUBT * deviation(i, s)
-    if min(s.lambda_slow[i], s.lambda_hat[i]) > least:
-        return True
-    if m.servo[i] or c.turns[i]:
-        return False
-    thrust, sigma = thrust_given(i, pressure_ratio, m, s)
-    off = abs(thrust - s.position[i])
-    return thrust > THRUST_SIGMA * sigma and off < HALF_WAY * s.position[i]
-
-
-@compiled
-def thrust_given(i, pressure_ratio, m, s):
-    """What a motor or engine gives [scaled], and its standard deviation: what its estimate says and what the model's error holds
-    along its column of B. While its command stands still, the filter cannot tell the two apart."""
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    return s.lambda_hat[i] * s.position[i] + offset, sigma
-
-
-@compiled
-def believe_thrust(i, pressure_ratio, m, s):
-    """Ascribe what a motor or engine gives beyond its estimate, up to all of its position, to its effectiveness, and no longer to
-    the model error."""
-    if s.position[i] <= 0.0:
-        return
-    believed = min(thrust_given(i, pressure_ratio, m, s)[0] / s.position[i], 1.0)
-    more = max(believed - s.lambda_hat[i], 0.0)
-    for row in range(4):
-        s.b[row] -= m.B[row, i] * more * s.position[i]
-    s.lambda_hat[i] += more
-    s.lambda_slow[i] = s.lambda_hat[i]
-    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
+    return s.lambda_hat[i] > c.recovery or (c.weighted and min(s.lambda_slow[i], s.lambda_hat[i]) > least)
 
 
 @compiled
@@ -108,7 +70,7 @@ def worth(i, m, c, s):
 
 
 @compiled
-def monitor(pressure_ratio, m, c, s):
+def monitor(m, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when it
     `works` for the `recovery_time`. Returns 1 if a flag changed.
 
@@ -125,7 +87,7 @@ def monitor(pressure_ratio, m, c, s):
             continue  # its estimate is a position; `jam_detection` has its timers
         s.lambda_slow[i] += c.dt / SLOW_S * (s.lambda_hat[i] - s.lambda_slow[i])
         if s.failed[i]:
-            beyond, time = works(i, pressure_ratio, m, c, s), c.recovery_time
+            beyond, time = works(i, c, s), c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
             low = worth(i, m, c, s) < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
@@ -134,8 +96,6 @@ def monitor(pressure_ratio, m, c, s):
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
-            if s.failed[i] and c.weighted and not (m.servo[i] or c.turns[i]):
-                believe_thrust(i, pressure_ratio, m, s)
             s.early[i] = 1 if c.weighted and not s.failed[i] and not s.early[i] else 0
             s.failed[i] = 0 if s.failed[i] else 1
             s.flag_timer[i], s.since_flag[i] = 0.0, 0.0

@@ -23,7 +23,7 @@ from testbed.controllers.inversion.jam_detection import (
     take_for_reversed,
     take_for_working,
 )
-from testbed.controllers.inversion.law import effect_ratio, lag_gain, lagged
+from testbed.controllers.inversion.law import effect_ratio
 from testbed.controllers.inversion.offset_detection import deviation
 
 CERTAIN = 7.0
@@ -53,9 +53,9 @@ by as much. The motions of an aircraft with a hardover have a gain, too."""
 @compiled
 def probe(e, pressure_ratio, m, c, s):
     """Advance the probes of the actuators that are given up; returns 1 when one is used again."""
-    changed, gain = 0, lag_gain(c.filter_rate * c.dt)
+    changed = 0
     for i in range(len(s.probe)):
-        position = lagged(s.position[i], s.probe_lags, i, gain)  # as late as the regression
+        position = s.filtered_position[1, i]  # as late as the regression
         if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
             s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
             s.probe_mean[i] = position

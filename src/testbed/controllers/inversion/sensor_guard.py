@@ -4,7 +4,7 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 `REPEATS_S`, or a gyro for `GYRO_REPEATS`, and of a pitot tube whose reading halves in one step, the law takes
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
-* sideslip as that of the mode's trim,
+* sideslip from the side force of the design model and the turn of the path, about the mode's trim,
 * airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight; the reference,
   where that angle is not known either,
 * rates of rotation from the attitude.
@@ -23,7 +23,9 @@ import math
 from testbed.common import angles
 from testbed.common.jit import compiled
 from testbed.common.signals import GUARDED
-from testbed.controllers.records import BETA, D_ALPHA, D_BETA
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.inversion.law import pressure_ratio_of
+from testbed.controllers.records import BETA, D_ALPHA, D_BETA, ROLL
 
 REPEATS_S = 0.2
 """How long a reading must be the same to the last digit [s]. A 12 bit vane in calm air repeats itself for less than 0.1 s."""
@@ -60,8 +62,6 @@ def guard(raw, ref, y, m, c, k, s):
     if s.stuck[G_ALPHA]:
         slope = (raw.climb_rate + s.sink) / max(y.airspeed, 1.0)
         y.alpha = (raw.pitch - slope) / max(math.cos(raw.roll), 0.5)
-    if s.stuck[G_BETA]:
-        y.beta = k.x_trim[BETA]
     sin, cos, turn = math.sin(raw.roll), math.cos(raw.roll), s.attitude_rate[2] * math.cos(raw.pitch)
     if s.stuck[G_P]:
         y.p, y.p_dot = s.attitude_rate[0] - s.attitude_rate[2] * math.sin(raw.pitch), s.attitude_dot[0]
@@ -69,6 +69,11 @@ def guard(raw, ref, y, m, c, k, s):
         y.q, y.q_dot = s.attitude_rate[1] * cos + turn * sin, s.attitude_dot[1]
     if s.stuck[G_R]:
         y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
+    if s.stuck[G_BETA]:
+        s.sideslip += c.dt * sideslip_rate(s.sideslip, y, m, k)
+        y.beta = s.sideslip
+    else:
+        s.sideslip = y.beta
     return changed
 
 
@@ -81,6 +86,17 @@ def airspeed_by_lift(y, ref, m):
         return ref.airspeed
     lift = max((y.alpha - m.zero_lift_alpha) / weight_angle, LEAST_LIFT) * max(math.cos(y.roll), 0.5)
     return m.airspeed / math.sqrt(lift)
+
+
+@compiled
+def sideslip_rate(beta, y, m, k):
+    """Rate of change of a sideslip beta in still air [rad/s]: of the side force and of weight beside what they are at the mode's
+    trim, and of the turn of the body axes. It is forgotten within `RECALL_S` where the design model has no side force."""
+    speed = max(y.airspeed, 1.0)
+    side = pressure_ratio_of(y, m) * m.side_slope * (beta - k.x_trim[BETA])
+    weight = GRAVITY_M_S2 * math.cos(y.pitch) * (math.sin(y.roll) - math.sin(k.x_trim[ROLL]))
+    turn = y.p * math.sin(y.alpha) - y.r * math.cos(y.alpha)
+    return (side + weight) / speed + turn - (beta - k.x_trim[BETA]) / RECALL_S
 
 
 @compiled

@@ -26,6 +26,7 @@ from testbed.controllers.inversion.law import (
     assume_ideal_actuators,
     effect_ratio,
     lag_gain,
+    lagged,
     low_pass,
     measured_error,
     pressure_ratio_of,
@@ -88,7 +89,7 @@ def estimate(y, ref, m, c, s, w):
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     s.departed = has_departed(y, ref, c)
-    if c.monitors and monitor(pressure_ratio, m, c, s):  # section 2.3
+    if c.monitors and monitor(m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
@@ -108,6 +109,8 @@ def regression(y, pressure_ratio, m, c, s, w):
     low_pass(z, s.filtered, gain)
     for i in range(4):
         low_pass(phi[i], s.filtered_phi[:, i], gain)
+    for i in range(len(s.position)):
+        lagged(s.position[i], s.filtered_position, i, gain)
 
 
 @compiled
