@@ -215,7 +215,7 @@ MEMORY = (
     Field("last_reading", (len(GUARDED),), "rad, m/s, rad/s", "what each of them read in the last step"),
     Field("stuck", (len(GUARDED),), "flag", "each of them is taken for stuck"),
     Field("inertial_airspeed", (), "m/s", "airspeed by the forward acceleration, while the pitot tube is stuck"),
-    Field("sideslip", (), "rad", "sideslip in still air by the side force, while its vane is stuck"),
+    Field("modelled_sideslip", (), "rad", "sideslip in still air by the design model's side force, while its vane is stuck"),
     Field("last_attitude", (3,), "rad", "roll, pitch and heading in the last step"),
     Field("attitude_rate", (3,), "rad/s", "their rates, through a lag"),
     Field("attitude_dot", (3,), "rad/s2", "the rates of those, through a lag"),

@@ -19,6 +19,7 @@ from testbed.controllers.inversion.step import (
     add_unused,
     command_step,
     estimate,
+    regression,
 )
 from testbed.controllers.records import REGULATOR_STATE, work_dtype
 from testbed.controllers.setup import Setup
@@ -135,3 +136,18 @@ def test_what_is_given_up_is_inverted_with_the_force_that_it_has() -> None:
     add_unused(f, twice_the_pressure, m, k, s)
     surface, thrust = 2.0 * 1.7, 0.1 * 1.5  # thrust does not grow with dynamic pressure
     assert f == pytest.approx(m.B[:4, 0] * surface + m.B[:4, 2] * thrust)
+
+
+def test_the_position_that_a_jam_is_found_at_is_as_late_as_the_regression() -> None:
+    """The command runs to a stop when a surface jams, so its modelled position is far ahead of what the estimate belongs to."""
+    measured, _, _, models, settings, _, memories, works, _ = parts_of(WEIGHTED)
+    y, m, c, s, w = measured[0], models[0], settings[0], memories[0], works[0]
+    late = []
+    for step in range(2000):
+        if step >= 1900:
+            s.position[0] = m.high[0]
+        regression(y, 1.0, m, c, s, w)
+        if step >= 1900:
+            assert s.filtered_phi[1, :, 0] == pytest.approx(m.B[:, 0] * s.filtered_position[1, 0], abs=1e-6)
+            late.append(float(m.high[0] - s.filtered_position[1, 0]))
+    assert late[0] > 0.9 * (m.high[0] - m.trim_position[0]) and late[-1] < 0.1 * late[0]

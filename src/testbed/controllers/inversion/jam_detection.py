@@ -150,10 +150,9 @@ def keeps_thrust(i, pressure_ratio, m, c, s):
     thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
+    # While its command stands still, the filter cannot tell its effectiveness from an offset.
     offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    thrust = (
-        s.lambda_hat[i] * s.position[i] + offset
-    )  # while its command stands still, the filter cannot tell the two apart
+    thrust = s.lambda_hat[i] * s.position[i] + offset
     return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
 
 

@@ -4,7 +4,7 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 `REPEATS_S`, or a gyro for `GYRO_REPEATS`, and of a pitot tube whose reading halves in one step, the law takes
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
-* sideslip from the side force of the design model and the turn of the path, about the mode's trim,
+* sideslip from the side force of the design model, the weight of a bank and the turn, about the mode's trim,
 * airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight; the reference,
   where that angle is not known either,
 * rates of rotation from the attitude.
@@ -70,10 +70,10 @@ def guard(raw, ref, y, m, c, k, s):
     if s.stuck[G_R]:
         y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
     if s.stuck[G_BETA]:
-        s.sideslip += c.dt * sideslip_rate(s.sideslip, y, m, k)
-        y.beta = s.sideslip
+        s.modelled_sideslip += c.dt * sideslip_rate(s.modelled_sideslip, y, m, k)
+        y.beta = s.modelled_sideslip
     else:
-        s.sideslip = y.beta
+        s.modelled_sideslip = y.beta
     return changed
 
 
