@@ -90,8 +90,9 @@ def airspeed_by_lift(y, ref, m):
 
 @compiled
 def sideslip_rate(beta, y, m, k):
-    """Rate of change of a sideslip beta in still air [rad/s]: of the side force and of weight beside what they are at the mode's
-    trim, and of the turn of the body axes. It is forgotten within `RECALL_S` where the design model has no side force."""
+    """Rate of change of a sideslip beta in still air [rad/s], v' / V: of the side force and of weight beside what they are at the
+    mode's trim, and of the turn of the body axes. What actuators and rates of rotation do to the side force is left out. It also
+    fades within `RECALL_S`, so that it does not grow without end where the design model has no side force."""
     speed = max(y.airspeed, 1.0)
     side = pressure_ratio_of(y, m) * m.side_slope * (beta - k.x_trim[BETA])
     weight = GRAVITY_M_S2 * math.cos(y.pitch) * (math.sin(y.roll) - math.sin(k.x_trim[ROLL]))
