@@ -1,7 +1,7 @@
 """What a number of the law is worth: fly a suite with other values of it, and compare draw by draw with the code as it is.
 
     python benchmarks/law_number.py runs/numbers evidence.SLOW_S 1.5 6 --draws 250 --seed 5
-    python benchmarks/law_number.py runs/thrust jam_detection.RESIDUAL_THRUST 9 --kind thrust
+    python benchmarks/law_number.py runs/thrust jam_detection.ENGINE_S 4 --kind thrust
 
 Numbers are those of the page *Numbers of the law*, by module and name. There is one folder of `testbed benchmark` for each value,
 and one for the code as it is; an unfinished one is resumed. Not for seeds that results are reported of.

@@ -30,8 +30,8 @@ SENTENCES = [
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a motor or engine, for {SET.persistence_s:g} s",
     f"its estimate has fallen by more than {evidence.HALF_WAY:g} within a few seconds",
-    f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or it and its slow mean are "
-    f"{NUMBER[evidence.BEYOND_DOUBT]} standard deviations above the threshold",
+    f"when for {SET.recovery_s:g} s its estimate is above {SET.recovery:g} (`recovery`), or "
+    f"{NUMBER[evidence.BEYOND_DOUBT]} of its standard deviations above the threshold",
     f"`lambda_min` is {SET.lambda_min:g} here",
     f"until its estimate has stayed below its threshold for {evidence.SLOW_S:g} s",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
@@ -41,8 +41,8 @@ SENTENCES = [
     f"({evidence.SLOW_S:g} s for a motor or engine)",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
-    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust, at least {jam_detection.THRUST_SIGMA:g} standard "
-    f"deviations, for {evidence.MEAN_S:g} s at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
+    f"gives thrust beyond {NUMBER[evidence.BEYOND_DOUBT]} standard deviations for {evidence.MEAN_S:g} s "
+    f"at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
@@ -52,7 +52,6 @@ SENTENCES = [
     f"at most {probing.LARGEST:g} scaled units",
     f"held within {probing.LARGEST:g} units of a stop is not judged",
     f"a jam if it is at most {offset_detection.NEAR_SIGMAS:g} deviations above 0 for {evidence.MEAN_S:g} s",
-    f"within {NUMBER[probing.OPPOSITE_WITHIN]} units of minus its trim",
     f"an engine's sine is {probing.ENGINE_SLOWER:g} times slower",
     f"as large as a decision within {probing.WITHIN_S:g} s needs",
     f"used again when the sum is above {probing.CERTAIN:g}",

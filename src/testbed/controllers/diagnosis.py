@@ -1,4 +1,4 @@
-"""The adaptive law's diagnosis beside another control law: estimation, monitor and jam test on a memory of their own.
+"""The adaptive law's diagnosis beside another control law: sensor guard, estimation, monitor and jam test on a memory of their own.
 
 What they flag puts the mode for that failure in force. So a control law that neither estimates nor monitors, or does so for its
 own purpose, can be compared with the adaptive law at the same diagnosis.
@@ -16,26 +16,33 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
+from testbed.controllers.commands import write_guard
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.controller import CompiledController
 from testbed.controllers.inversion.law import state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
+from testbed.controllers.inversion.sensor_guard import guard
 from testbed.controllers.inversion.step import estimate
 from testbed.controllers.setup import Setup
 
 
 @compiled
 def diagnose(step, parts):
-    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved."""
-    states, setpoints, _, models, _, _, memories, works, settings, diagnoses = parts
-    y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
-    s, d, w = memories[0], diagnoses[0], works[0]
+    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved. The last part is
+    the measured states, and the first those that are believed, which the control law reads."""
+    believed, setpoints, telemetry, models, _, modes, memories, works, settings, diagnoses, states = parts
+    believed[step] = states[step]
+    y, ref, m, c = believed[step], setpoints[step], models[0], settings[0]
+    s, d, w, changed = memories[0], diagnoses[0], works[0], 0
+    if c.guards:
+        changed = guard(states[step], ref, y, m, c, modes[0], d)
+        write_guard(telemetry[step], d)
     for i in range(len(d.command)):
         d.command[i] = s.command[i]
     advance_actuators(c.dt, axial_speed(y), m, d)
     state_function(y, m, w.f)
-    changed = estimate(y, ref, m, c, d, w)
+    changed += estimate(y, ref, m, c, d, w)
     for i in range(len(d.probe)):
         s.probe[i] = d.probe[i]
     return changed
@@ -65,13 +72,14 @@ class DiagnosedController(CompiledController):
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `Controller.bind`)."""
-        super().bind(states, setpoints, telemetry)
+        super().bind(states.copy() if self._active else states, setpoints, telemetry)
         if self._active:
-            self._diagnose = bound(diagnose, 0, self._parts)
+            self._diagnosis = (*self._parts, states)
+            self._diagnose = bound(diagnose, 0, self._diagnosis)
 
     def step(self, step: int) -> memoryview:
         """Diagnose row `step`, put the mode in force for what has been flagged; commands [n]."""
-        if self._active and self._diagnose(step, self._parts):
+        if self._active and self._diagnose(step, self._diagnosis):
             self._take_over(step)
         self._step(step, self._parts)
         return self._commands
@@ -82,7 +90,7 @@ class DiagnosedController(CompiledController):
         s, d = self._memory[0], self._diagnosed[0]
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
-        s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early
+        s.failed[:], s.jammed[:], s.early[:], s.stuck[:] = d.failed, d.jammed, d.early, d.stuck
         s.reversed[:] = d.reversed & self._records[1][0].uncompensated
         s.offset[:] = d.offset  # for what is said alone
         self._modes.switch(step, float(self._parts[0][step].airspeed))

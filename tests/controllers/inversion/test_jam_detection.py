@@ -250,33 +250,14 @@ def test_a_jammed_position_is_within_the_stops() -> None:
     assert s.lambda_hat[0] == m.high[0]
 
 
-def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed() -> None:
-    """It stands still at its trim position. At a limit of its estimate its force is that of another position. An engine's probe
-    comes first."""
-    flags = (
-        (-1.2, 1, 0, True),
-        (1.2, 1, 0, True),
-        (0.0, 1, 0, False),
-        (1.2, 0, 0, False),
-        (1.2, 1, 1, False),
-    )
-    for estimate, failed, engine, jams in flags:
-        m, c, _, s, _ = records()
-        m.engine[0] = engine
-        s.failed[0], s.lambda_hat[0], s.P[0, 0] = failed, estimate, 1.0
-        for _ in range(round(c.persistence / c.dt) + 1):
-            detect_jam(np.zeros(4), 1.0, m, c, s)
-        assert bool(s.jammed[0]) == jams
-
-
 @pytest.mark.parametrize(
     ("actuator", "share", "in_error", "sigma", "jammed"),
     [
         (2, 0.5, 0.0, 0.1, 1),
         (2, 0.1, 0.4, 0.1, 1),
         (2, -0.5, 0.0, 0.1, 1),
-        (2, 0.2, 0.0, 0.01, 0),
-        (2, 0.5, -0.4, 0.01, 0),
+        (2, 0.2, 0.0, 0.1, 0),
+        (2, 0.5, -0.4, 0.1, 0),
         (2, 0.5, 0.0, 0.3, 0),
         (2, 0.9, 0.0, 0.1, 0),
         (0, 0.5, 0.0, 0.1, 0),
@@ -291,6 +272,7 @@ def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
     s.failed[actuator], s.lambda_hat[actuator] = 1, share
     s.filtered_position[1, actuator] = 2.0
     s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
+    c.noise[:] = 0.0
     s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
     steps = math.ceil(MEAN_S / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()

@@ -22,7 +22,7 @@ from testbed.controllers.inversion.offset_detection import (
     follow_offsets,
     follows,
     keep_offsets,
-    offset_in_model_error,
+    position_behind,
     time_to_stand_still,
 )
 from testbed.flight.flight import Flight, Outcome
@@ -166,23 +166,22 @@ def test_a_lost_surface_without_a_force_in_the_model_error_does_not_look_jammed(
 def test_a_larger_force_takes_less_time_to_be_believed() -> None:
     m, c, _, s, _ = records()
     column, (s.lambda_hat[0], s.P[0, 0]) = np.array(m.B)[:, 0], (0.0, 1e-4)
-    weight = column / s.model_error_variance
-    gusts = 0.5 * np.array(c.noise) ** 2 / MEAN_S
-    variance = (np.sum(column * weight) + np.sum(gusts * weight**2)) / np.sum(column * weight) ** 2
-    one = JAM_SIGMA * np.sqrt(variance)
+    one = JAM_SIGMA * position_behind(s.b, 0, 1.0, m, c, s)[1]
     for size, time in ((0.99, 0.0), (2.0, c.persistence / 4.0), (-4.0, c.persistence / 16.0)):
         s.b[:] = size * one * column
         assert time_to_stand_still(0, 1.0, m, c, s) == pytest.approx(time)
 
 
 @pytest.mark.parametrize("pressure_ratio", [0.8, 1.5])
-def test_the_offset_in_the_model_error_is_that_of_least_squares(pressure_ratio: float) -> None:
-    m, _, _, s, _ = records()
+def test_the_position_behind_rates_is_that_of_least_squares(pressure_ratio: float) -> None:
+    """Each rate is weighed by what gusts leave of its mean and by the model's error."""
+    m, c, _, s, _ = records()
     column = pressure_ratio * np.array(m.B)[:, 0]
-    s.b[:] = 1.3 * column
-    offset, sigma = offset_in_model_error(0, pressure_ratio, m, s)
-    assert offset == pytest.approx(1.3)
-    assert sigma**-2 == pytest.approx(float(np.sum(column**2 / s.model_error_variance)))
+    weight = 1.0 / (0.5 * np.array(c.noise) ** 2 / MEAN_S + s.model_error_variance)
+    unlike = np.array([0.1, 0.0, -0.1, 0.0])
+    position, sigma = position_behind(1.3 * column + unlike, 0, pressure_ratio, m, c, s)
+    assert position == pytest.approx(1.3 + np.sum(column * weight * unlike) / np.sum(column**2 * weight))
+    assert sigma**-2 == pytest.approx(float(np.sum(column**2 * weight)))
 
 
 def test_the_variance_of_an_offset_is_along_its_column() -> None:

@@ -95,17 +95,28 @@ def test_a_slow_flight_is_seen_in_its_angle_of_attack() -> None:
     assert slow.airspeed == pytest.approx(0.8 * MODEL.airspeed_m_s, rel=0.01)
 
 
-def test_a_stuck_gyro_is_replaced_by_the_attitude() -> None:
+@pytest.mark.parametrize("axis", ["p", "q", "r"])
+def test_a_stuck_gyro_is_replaced_by_the_attitude(axis: str) -> None:
+    """In a bank the attitude's three rates belong to all three axes. The rate is late by one lag, and its change by nothing."""
     made = records_of(SETUP)
     m, c, k, s, _ = made
-    believed = np.zeros(1, record_dtype(STATE))
-    for step in range(round(2.0 / c.dt)):
-        raw = trim_state(MODEL, roll=0.2 * c.dt * step, pitch=0.0, p=0.05)
+    believed, change = np.zeros(1, record_dtype(STATE)), np.array([0.3, -0.1, 0.2])
+    roll, pitch, heading, rates = 0.5, 0.2, 6.2, np.zeros(3)
+    for _ in range(round(1.5 / c.dt)):
+        rates += change * c.dt
+        p, q, r = rates
+        across = q * math.sin(roll) + r * math.cos(roll)
+        roll += c.dt * (p + across * math.tan(pitch))
+        pitch += c.dt * (q * math.cos(roll) - r * math.sin(roll))
+        heading = (heading + c.dt * across / math.cos(pitch)) % (2.0 * math.pi)
+        raw = trim_state(MODEL, roll=roll, pitch=pitch, heading=heading, p=0.05, q=0.05, r=0.05)
         for name in GUARDED:
-            raw[name] += 1e-6 * RNG.normal() * (name != "p")
+            raw[name] += 1e-6 * RNG.normal() * (name != axis)
         believed[0] = raw
         guard(raw, setpoint(airspeed=MODEL.airspeed_m_s), believed[0], m, c, k, s)
-    assert believed[0].p == pytest.approx(0.2, abs=1e-3)
+    i = "pqr".index(axis)
+    assert believed[0][axis] == pytest.approx(rates[i] - change[i] / c.filter_rate, abs=5e-3)
+    assert believed[0][f"{axis}_dot"] == pytest.approx(change[i], abs=5e-3)
 
 
 def flown(sensor: str, ablate: str = "", kind: str = "stuck") -> Flight:
@@ -176,9 +187,9 @@ def test_no_law_divides_by_an_airspeed_of_zero(kind: str) -> None:
     assert np.isfinite(flight.log.filter(regex="_command$")).all(axis=None)
 
 
-@pytest.mark.parametrize("kind", ["adaptive_inversion", "indi"])
+@pytest.mark.parametrize("kind", ["adaptive_inversion", "indi, monitor: true", "indi"])
 def test_the_log_says_which_sensor_is_taken_for_stuck(kind: str) -> None:
-    """And nothing of a law that looks for none."""
+    """The diagnosis beside another law, too; and nothing of a law that looks for none."""
     changes = [
         "sensors={model: mems, faults: [{type: stuck, sensor: beta, at_s: 0.5, until_s: 1.5}]}",
         f"controller={{type: {kind}}}", "failures=[]", "requirements=[]", "duration_s=2", "commands=[]",

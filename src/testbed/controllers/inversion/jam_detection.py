@@ -26,7 +26,7 @@ from testbed.controllers.inversion.offset_detection import (
     follow_offsets,
     follows,
     force_of_offsets,
-    offset_in_model_error,
+    position_behind,
     take_for_offset,
     time_to_stand_still,
 )
@@ -40,13 +40,8 @@ the standard deviation is small."""
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
-RESIDUAL_THRUST = 0.3
-"""Share of the trim thrust that a flagged motor must give to be taken for jammed."""
-THRUST_SIGMA = 2.5
-"""Standard deviations of its thrust above zero at which a flagged motor gives some. At two and a half, with a standard deviation of
-half a unit, a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 ENGINE_S = 8.0
-"""How long a probed engine must keep its thrust, or a force of its own, until it is taken for jammed [s]: in about this time its
+"""How long a probed engine must keep its thrust until it is taken for jammed [s]: in about this time its
 probe says whether it works again. Its estimate climbs slowly then, and may pass its limit."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
@@ -90,7 +85,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         ):
             position = s.lambda_hat[i] * s.filtered_position[1, i]
             if still > 0.0 or not m.servo[i]:
-                position += offset_in_model_error(i, pressure_ratio, m, s)[0]
+                position += position_behind(s.b, i, pressure_ratio, m, c, s)[0]
             elif i == likeliest:
                 position += offset
             take_for_jammed(i, position, pressure_ratio, m, s)
@@ -109,18 +104,14 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 @compiled
 def time_to_jam(i, pressure_ratio, m, c, s):
-    """How long an actuator that `acts_reversed`, `stands_at_a_stop`, `has_force_of_its_own` or `keeps_thrust` must do so until it
-    is taken for jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is
-    enough. The last two take a probed engine `ENGINE_S`."""
-    backwards = acts_reversed(i, m, c, s)
-    if backwards and unstable(m):
-        return REVERSED_S
+    """How long an actuator that `acts_reversed`, `stands_at_a_stop` or `keeps_thrust` must do so until it is taken for jammed [s];
+    0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough. The last takes a
+    probed engine `ENGINE_S`."""
+    if acts_reversed(i, m, c, s):
+        return REVERSED_S if unstable(m) else c.persistence
     if stands_at_a_stop(i, m, c, s):
         return MEAN_S
-    own_force = has_force_of_its_own(i, c, s)
-    if backwards or (own_force and not m.engine[i]):
-        return c.persistence
-    if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
+    if keeps_thrust(i, pressure_ratio, m, c, s):
         return ENGINE_S if m.engine[i] and c.probes else MEAN_S
     return 0.0
 
@@ -136,24 +127,15 @@ def stands_at_a_stop(i, m, c, s):
 
 
 @compiled
-def has_force_of_its_own(i, c, s):
-    """Whether a flagged actuator's estimate is at a limit. It is commanded to its trim position, and a force that no effectiveness
-    there explains is that of another position."""
-    at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
-    lost = s.failed[i] and not s.jammed[i] and not s.reversed[i]
-    return c.weighted and lost and at_limit
-
-
-@compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
     """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
     thrust has not followed its command down."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
     # While its command stands still, the filter cannot tell its effectiveness from an offset.
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    offset, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
     thrust = s.lambda_hat[i] * s.position[i] + offset
-    return abs(thrust) > max(RESIDUAL_THRUST * m.trim_position[i], THRUST_SIGMA * sigma)
+    return abs(thrust) > BEYOND_DOUBT * sigma
 
 
 @compiled
@@ -231,28 +213,18 @@ def take_for_working(i, effectiveness, variance, s):
 def likeliest_jam(pressure_ratio, m, c, s):
     """The actuator for which an offset of its position explains the residual best, and that offset.
 
-    For each actuator i, B_i offset is fitted to the residual by weighted least squares. The weight of a row is one over its
-    variance, which comes from gusts (S / 2T for a two-sided density S and the mean's time constant T) and from the model error. The
-    variance of the offset is that of the fit, and that of the effectiveness times the position squared. The test value is
-    (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
+    It is the `position_behind` the residual. Its variance is that of the fit, and that of the effectiveness times the position
+    squared. The test value is (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
 
     Returns:
         Index of the actuator with the largest test value, if that is above `JAM_SIGMA`^2, or -1; and its offset [scaled].
     """
     likeliest, largest, offset = -1, JAM_SIGMA * JAM_SIGMA, 0.0
     for i in range(len(s.lambda_hat)):
-        projection, information = 0.0, 0.0
-        for row in range(4):
-            b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)  # of (2): the signature of this actuator
-            gusts = 0.5 * c.noise[row] * c.noise[row] / MEAN_S
-            weight = 1.0 / (gusts + s.model_error_variance[row])
-            projection += b * weight * s.residual[row]
-            information += b * weight * b
-        # An error of the effectiveness, times the position, is an offset too.
+        change, sigma = position_behind(s.residual, i, pressure_ratio, m, c, s)
         position = s.filtered_position[1, i]
-        variance = 1.0 / information + position * position * s.P[i, i]
-        change = projection / information
-        ratio = change * change / variance
+        # An error of the effectiveness, times the position, is an offset too.
+        ratio = change * change / (sigma * sigma + position * position * s.P[i, i])
         if not s.jammed[i] and ratio > largest:
             likeliest, largest, offset = i, ratio, change
     return likeliest, offset

@@ -13,9 +13,6 @@ from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import deviation
 from testbed.controllers.outer_loops import wrap
 
-MUCH_MORE = 3.0
-"""Ratio of two motors' thrust [1] that is no noise of the estimates."""
-
 
 @compiled
 def is_to_blame(i, c, s):
@@ -40,10 +37,10 @@ def is_to_blame(i, c, s):
 
 @compiled
 def works(i, c, s):
-    """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or with the slow one above
-    `threshold` beyond doubt."""
+    """Whether a flagged actuator has effect enough to be used again: its estimate is above `recovery`, or above `threshold` beyond
+    doubt."""
     least = c.threshold + c.threshold_rise[i] + BEYOND_DOUBT * deviation(i, s)
-    return s.lambda_hat[i] > c.recovery or (c.weighted and min(s.lambda_slow[i], s.lambda_hat[i]) > least)
+    return s.lambda_hat[i] > c.recovery or (c.weighted and s.lambda_hat[i] > least)
 
 
 @compiled
@@ -54,29 +51,13 @@ def has_departed(y, ref, c):
 
 
 @compiled
-def worth(i, m, c, s):
-    """What actuator i gives of what is asked of it [1]: lambda_hat.
-
-    A motor or engine that is asked for more than its trim thrust is judged by that, unless another gives `MUCH_MORE`. Where all
-    give alike at full throttle their supply is weak, and what gives the thrust of the trim is not lost.
-    """
-    if not c.weighted or m.servo[i] or m.trim_position[i] <= 0.0:
-        return s.lambda_hat[i]
-    thrust = s.lambda_hat[i] * s.position[i]
-    for j in range(len(s.lambda_hat)):
-        if not m.servo[j] and s.lambda_hat[j] * s.position[j] > MUCH_MORE * thrust:
-            return s.lambda_hat[i]
-    return max(s.lambda_hat[i], thrust / m.trim_position[i])
-
-
-@compiled
-def monitor(m, c, s):
+def monitor(c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when it
     `works` for the `recovery_time`. Returns 1 if a flag changed.
 
-    What is compared with `threshold` is what the actuator is `worth`. An actuator is flagged only if its estimate's standard
-    deviation is at most `flag_std_max`. The estimate of an actuator that hardly moves is uncertain, so a low value is no evidence
-    of failure. (13) gives no standard deviation: with it the limit is infinite. With `weighted`, `is_to_blame` must also hold.
+    An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
+    hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
+    infinite. With `weighted`, `is_to_blame` must also hold.
 
     `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
     stayed low for `SLOW_S`.
@@ -90,7 +71,7 @@ def monitor(m, c, s):
             beyond, time = works(i, c, s), c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-            low = worth(i, m, c, s) < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
+            low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
             beyond = low and certain and (s.early[i] or is_to_blame(i, c, s))
             time = SLOW_S if s.early[i] else c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0

@@ -79,8 +79,8 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     doubt = deviation(i, s)
     if s.lambda_hat[i] >= min(HALF_WAY, 1.0 - BEYOND_DOUBT * doubt):
         return 0.0
-    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
-    beyond = abs(offset) / (math.hypot(sigma, deviation_by_gusts(i, pressure_ratio, m, c, s)) * JAM_SIGMA)
+    offset, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
+    beyond = abs(offset) / (sigma * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * doubt:
@@ -102,43 +102,38 @@ def deviation(i, s):
 
 
 @compiled
-def offset_in_model_error(i, pressure_ratio, m, s):
-    """The offset of actuator i that explains the estimated model error b best, by least squares weighted with its variance.
+def weight_of(row, c, s):
+    """What a mean of this rate over `MEAN_S` weighs [x_c^-2]: one over its variance, S / 2T for gusts of two-sided density S, and
+    that of the model error."""
+    return 1.0 / (0.5 * c.noise[row] * c.noise[row] / MEAN_S + s.model_error_variance[row])
+
+
+@compiled
+def position_behind(rates, i, pressure_ratio, m, c, s):
+    """The position of actuator i whose force explains these rates [4] best, by weighted least squares.
 
     Returns:
-        The offset, and the standard deviation that the expected size of b gives it [scaled].
+        The position, and its standard deviation if there is nothing but gusts and the model's error [scaled].
     """
     projection, information = 0.0, 0.0
     for row in range(4):
-        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
-        weight = 1.0 / s.model_error_variance[row]
-        projection += column * weight * s.b[row]
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)  # of (2): the signature of this actuator
+        weight = weight_of(row, c, s)
+        projection += column * weight * rates[row]
         information += column * weight * column
     return projection / information, 1.0 / math.sqrt(information)
 
 
 @compiled
-def deviation_by_gusts(i, pressure_ratio, m, c, s):
-    """Standard deviation that gusts give the `offset_in_model_error`, which follows them too [scaled]."""
-    variance, information = 0.0, 0.0
-    for row in range(4):
-        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
-        weight = column / s.model_error_variance[row]
-        variance += 0.5 * c.noise[row] * c.noise[row] / MEAN_S * weight * weight
-        information += column * weight
-    return math.sqrt(variance) / information
-
-
-@compiled
-def was_a_gust(i, offset, pressure_ratio, m, s):
+def was_a_gust(i, offset, pressure_ratio, m, c, s):
     """Whether an actuator that has moved turns out not to have: an offset as large as the one that was seen at first is out of
-    question. It is `BEYOND_DOUBT` of what is unknown of the `offset_in_model_error` larger than that."""
+    question. It is `BEYOND_DOUBT` of what is unknown of the `position_behind` the model error larger than that."""
     n, information, variance = len(s.lambda_hat), 0.0, 0.0
     for row in range(4):
-        weight = m.B[row, i] / s.model_error_variance[row]
+        weight = m.B[row, i] * weight_of(row, c, s)
         information += weight * m.B[row, i]
         for other in range(4):
-            variance += weight * s.P[n + row, n + other] * m.B[other, i] / s.model_error_variance[other]
+            variance += weight * s.P[n + row, n + other] * m.B[other, i] * weight_of(other, c, s)
     missing = abs(s.moved[i]) - effect_ratio(i, pressure_ratio, m) * offset * math.copysign(1.0, s.moved[i])
     return missing * information > BEYOND_DOUBT * math.sqrt(max(variance, 0.0))
 
@@ -159,7 +154,7 @@ def keep_offsets(pressure_ratio, m, c, s):
     n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
         if s.moved[i] != 0.0 or s.offset[i] != 0.0:
-            force = effect_ratio(i, pressure_ratio, m) * offset_in_model_error(i, pressure_ratio, m, s)[0]
+            force = effect_ratio(i, pressure_ratio, m) * position_behind(s.b, i, pressure_ratio, m, c, s)[0]
             size = abs(force) if s.moved[i] == 0.0 else min(abs(force), abs(s.moved[i]))
             for row in range(4):
                 s.b[row] += rate * m.B[row, i] * force
@@ -173,8 +168,8 @@ def follow_offsets(pressure_ratio, m, c, s):
     for i in range(len(s.offset)):
         s.shift[i] = 0.0
         if s.offset[i] != 0.0 or s.moved[i] != 0.0:
-            estimate = offset_in_model_error(i, pressure_ratio, m, s)[0]
-            if s.moved[i] != 0.0 and was_a_gust(i, estimate, pressure_ratio, m, s):
+            estimate = position_behind(s.b, i, pressure_ratio, m, c, s)[0]
+            if s.moved[i] != 0.0 and was_a_gust(i, estimate, pressure_ratio, m, c, s):
                 s.moved[i] = 0.0
             s.shift[i] = 0.0 if c.uncompensated else estimate
             s.offset[i] = estimate if s.offset[i] != 0.0 else 0.0

@@ -2,10 +2,10 @@
 
 At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
 So its command is trim + a sine. Its force follows its modelled position with a gain: 0 for one that is lost or held, 1 for one that
-works, -1 for one that is reversed. Whether 1 or -1 has taken the place of 0 is found by Page's test (CUSUM; Biometrika 41 (1954)
-100): the logarithm of the likelihood ratio of each to 0 is summed up, and begins again where it falls below 0. What the actuator is
-taken for changes when the sum is above `CERTAIN`. The noise is what gusts and the model's error do to the rates, and the sine is as
-large as `CERTAIN` needs in it within `WITHIN_S`. An engine's is slower, as the engine is.
+works. Whether 1 has taken the place of 0 is found by Page's test (CUSUM; Biometrika 41 (1954) 100): the logarithm of the likelihood
+ratio is summed up, and begins again where it falls below 0. The actuator is used again when the sum is above `CERTAIN`. The noise
+is what gusts and the model's error do to the rates, and the sine is as large as `CERTAIN` needs in it within `WITHIN_S`. An
+engine's is slower, as the engine is.
 
 Letters: those of `records`.
 """
@@ -17,14 +17,12 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
-from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY
+from testbed.controllers.inversion.evidence import HALF_WAY
 from testbed.controllers.inversion.jam_detection import (
     settle_regression,
-    take_for_reversed,
     take_for_working,
 )
 from testbed.controllers.inversion.law import effect_ratio
-from testbed.controllers.inversion.offset_detection import deviation
 
 CERTAIN = 7.0
 """Logarithm of a likelihood ratio that is believed [1]: 1100 to 1."""
@@ -45,9 +43,6 @@ AT_LEAST_RAD = 3.0 * math.pi
 LARGEST_CHANGE = 5.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
 is a larger one, and the sine's own is about as large."""
-OPPOSITE_WITHIN = 2.0
-"""How far from the opposite of its command the force of a reversed surface may seem [scaled]: far from the trim the model is wrong
-by as much. The motions of an aircraft with a hardover have a gain, too."""
 
 
 @compiled
@@ -57,7 +52,7 @@ def probe(e, pressure_ratio, m, c, s):
     for i in range(len(s.probe)):
         position = s.filtered_position[1, i]  # as late as the regression
         if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
-            s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
+            s.probe[i], s.works[i] = 0.0, 0.0
             s.probe_mean[i] = position
             for row in range(4):
                 s.probe_rest[i, row] = unexplained(i, row, e, position, pressure_ratio, m, s)
@@ -65,13 +60,10 @@ def probe(e, pressure_ratio, m, c, s):
         follow_probe(i, e, position, pressure_ratio, m, c, s)
         too_early = probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD
         if too_early or not has_room(i, m, s):
-            s.works[i], s.reverses[i] = 0.0, 0.0
+            s.works[i] = 0.0
             continue
         if s.works[i] > CERTAIN:
             use_again(i, pressure_ratio, m, s)
-            changed = 1
-        elif s.reverses[i] > CERTAIN and may_be_reversed(i, m, s):
-            take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
     return changed
 
@@ -82,17 +74,6 @@ def has_room(i, m, s):
     there."""
     low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
     return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
-
-
-@compiled
-def may_be_reversed(i, m, s):
-    """Whether the force of a surface at its trim position may be that of a reversed one, and is needed: the flight has departed,
-    and the surface is held near the opposite of its command, or lost and its estimate is below zero beyond doubt. One that has just
-    begun to work again has a gain of any sign; so has one that moves slowly, or swings at about the sine's frequency, and a flight
-    that goes on without it loses by the mistake."""
-    opposite = abs(s.lambda_hat[i] + m.trim_position[i]) < OPPOSITE_WITHIN
-    wrong_way = s.lambda_hat[i] + BEYOND_DOUBT * deviation(i, s) < 0.0
-    return s.departed and m.servo[i] and (opposite if s.jammed[i] else wrong_way)
 
 
 @compiled
@@ -125,7 +106,6 @@ def follow_probe(i, e, position, pressure_ratio, m, c, s):
         information += column * column / density
     half = HALF_WAY * moved * moved * information
     s.works[i] = max(s.works[i] + c.dt * (moved * product - half), 0.0)
-    s.reverses[i] = max(s.reverses[i] - c.dt * (moved * product + half), 0.0)
     # The mean of the sum's rate is a quarter of the amplitude's square times the information.
     amplitude = math.sqrt(4.0 * CERTAIN / (information * WITHIN_S * slower(i, m)))
     s.probe[i] = min(amplitude, LARGEST) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
@@ -149,4 +129,4 @@ def use_again(i, pressure_ratio, m, s):
         s.offset[i] = offset if m.servo[i] else 0.0
     take_for_working(i, 1.0, 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
-    s.probe[i], s.works[i], s.reverses[i] = 0.0, 0.0, 0.0
+    s.probe[i], s.works[i] = 0.0, 0.0

@@ -7,7 +7,7 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 * sideslip from the side force of the design model, the weight of a bank and the turn, about the mode's trim,
 * airspeed from the forward acceleration, and in the long run that at which the angle of attack carries the weight; the reference,
   where that angle is not known either,
-* rates of rotation from the attitude.
+* rates of rotation, and how fast they change, from the attitude.
 
 These leave out what gusts do to the flow. So while a vane is stuck, that is expected of the model error b (`unseen`), which is made
 up for.
@@ -24,7 +24,7 @@ from testbed.common import angles
 from testbed.common.jit import compiled
 from testbed.common.signals import GUARDED
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.law import pressure_ratio_of
+from testbed.controllers.inversion.law import lag_gain, pressure_ratio_of
 from testbed.controllers.records import BETA, D_ALPHA, D_BETA, ROLL
 
 REPEATS_S = 0.2
@@ -39,8 +39,6 @@ RECALL_S = 10.0
 1 m/s. Gusts across the flow, which change the angle of attack, last about as long."""
 LEAST_LIFT = 0.25
 """Least lift at V_0 from which airspeed is computed [weights]: less would be more than twice V_0."""
-ATTITUDE_RAD_S = 10.0
-"""Corner of the lag on the rates that are differences of attitude [rad/s]."""
 UNSEEN_GUST = 0.76
 """Standard deviation of gusts across the flow [m/s] at W20 = 25 ft/s (MIL-F-8785C, 3.7.3). At 18 m/s they last for 10 s, as the
 model error does."""
@@ -62,13 +60,12 @@ def guard(raw, ref, y, m, c, k, s):
     if s.stuck[G_ALPHA]:
         slope = (raw.climb_rate + s.sink) / max(y.airspeed, 1.0)
         y.alpha = (raw.pitch - slope) / max(math.cos(raw.roll), 0.5)
-    sin, cos, turn = math.sin(raw.roll), math.cos(raw.roll), s.attitude_rate[2] * math.cos(raw.pitch)
     if s.stuck[G_P]:
-        y.p, y.p_dot = s.attitude_rate[0] - s.attitude_rate[2] * math.sin(raw.pitch), s.attitude_dot[0]
+        y.p, y.p_dot = s.lagged_rate[0], s.attitude_dot[0]
     if s.stuck[G_Q]:
-        y.q, y.q_dot = s.attitude_rate[1] * cos + turn * sin, s.attitude_dot[1]
+        y.q, y.q_dot = s.lagged_rate[1], s.attitude_dot[1]
     if s.stuck[G_R]:
-        y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
+        y.r, y.r_dot = s.lagged_rate[2], s.attitude_dot[2]
     if s.stuck[G_BETA]:
         s.modelled_sideslip += c.dt * sideslip_rate(s.modelled_sideslip, y, m, k)
         y.beta = s.modelled_sideslip
@@ -116,14 +113,19 @@ def watch(raw, c, s):
 
 @compiled
 def attitude_rates(raw, c, s):
-    """Advance the rates of roll, pitch and heading that the attitude shows, and their accelerations, through one lag each."""
-    share = 1.0 - math.exp(-ATTITUDE_RAD_S * c.dt)
-    for i, angle in enumerate((raw.roll, raw.pitch, raw.heading)):
-        rate = wrap(angle - s.last_attitude[i]) / c.dt
-        acceleration = (rate - s.attitude_rate[i]) * share / c.dt
-        s.attitude_rate[i] += share * (rate - s.attitude_rate[i])
-        s.attitude_dot[i] += share * (acceleration - s.attitude_dot[i])
-        s.last_attitude[i] = angle
+    """Advance the rates of rotation that the attitude shows, and how fast they change. The rates pass a lag, for the outer loops.
+    Their changes do not, since the regression filters them with its other side: with a lag of their own each actuator was late."""
+    roll = wrap(raw.roll - s.last_attitude[0]) / c.dt
+    pitch = wrap(raw.pitch - s.last_attitude[1]) / c.dt
+    turn = wrap(raw.heading - s.last_attitude[2]) / c.dt
+    s.last_attitude[0], s.last_attitude[1], s.last_attitude[2] = raw.roll, raw.pitch, raw.heading
+    sin, cos, level = math.sin(raw.roll), math.cos(raw.roll), turn * math.cos(raw.pitch)
+    rates = (roll - turn * math.sin(raw.pitch), pitch * cos + level * sin, level * cos - pitch * sin)
+    gain = lag_gain(c.filter_rate * c.dt)
+    for i in range(3):
+        s.attitude_dot[i] = (rates[i] - s.attitude_rate[i]) / c.dt
+        s.attitude_rate[i] = rates[i]
+        s.lagged_rate[i] += gain * (rates[i] - s.lagged_rate[i])
 
 
 @compiled

@@ -89,7 +89,7 @@ def estimate(y, ref, m, c, s, w):
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     s.departed = has_departed(y, ref, c)
-    if c.monitors and monitor(m, c, s):  # section 2.3
+    if c.monitors and monitor(c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
