@@ -58,7 +58,8 @@ NOTES = """\
 
 Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
 mean or a rank. *Best of all* is the best controller in each draw; where some that are told the truth flew, they are among them, and
-the table shows the best of these: what can be held is that or more. `indi_monitor` has the default's diagnosis. *Effort* is the
+the table shows the best of these: what can be held is that or more. `indi_monitor` and `l1_inversion` have the
+default's diagnosis, with its guard of stuck sensors. *Effort* is the
 median ratio in the same draw.
 [Columns and groups](../reference/benchmark.md#what-is-measured).
 """

@@ -290,9 +290,9 @@ def unsaid(log: Log) -> set[str]:
 def beliefs(log: Log, actuators: Iterable[str]) -> list[dict[str, Any]]:
     """What the controller took each actuator for: {time_s, until_s, actuator, belief, position} of each stretch, by time.
 
-    `belief` is a word of `signals.Belief`. `position` is where a held actuator was thought to be in the last row of the stretch, in
-    the actuator's unit, and NaN for others. Nothing is in the list of a controller that says nothing, nor of a log that was written
-    before there were beliefs.
+    `belief` is a word of `signals.Belief`. `position` is where a held actuator was thought to be, in its unit, and NaN for others:
+    the median of the stretch, since the first estimate is rough, and at the end the actuator may move again. Nothing is in the
+    list of a controller that says nothing, nor of a log that was written before there were beliefs.
     """
     time_s, found = log["time_s"], []
     for actuator in actuators:
@@ -305,7 +305,7 @@ def beliefs(log: Log, actuators: Iterable[str]) -> list[dict[str, Any]]:
                         "until_s": float(time_s[end - 1]),
                         "actuator": actuator,
                         "belief": word.name,
-                        "position": float(position[end - 1]),
+                        "position": float(np.median(position[first:end])),
                     }
                 )
     return sorted(found, key=lambda belief: (belief["time_s"], belief["actuator"]))
