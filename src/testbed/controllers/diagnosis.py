@@ -72,7 +72,7 @@ class DiagnosedController(CompiledController):
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `Controller.bind`)."""
-        super().bind(states.copy() if self._active else states, setpoints, telemetry)
+        super().bind(np.zeros_like(states) if self._active else states, setpoints, telemetry)
         if self._active:
             self._diagnosis = (*self._parts, states)
             self._diagnose = bound(diagnose, 0, self._diagnosis)

@@ -41,8 +41,8 @@ NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
 ENGINE_S = 8.0
-"""How long a probed engine must keep its thrust until it is taken for jammed [s]: in about this time its
-probe says whether it works again. Its estimate climbs slowly then, and may pass its limit."""
+"""How long a probed engine must keep its thrust until it is taken for jammed [s]: in about this time its probe says whether it
+works again. Its estimate climbs slowly then."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""

@@ -18,10 +18,7 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
 from testbed.controllers.inversion.evidence import HALF_WAY
-from testbed.controllers.inversion.jam_detection import (
-    settle_regression,
-    take_for_working,
-)
+from testbed.controllers.inversion.jam_detection import settle_regression, take_for_working
 from testbed.controllers.inversion.law import effect_ratio
 
 CERTAIN = 7.0
