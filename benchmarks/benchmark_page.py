@@ -242,7 +242,7 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     )
     said = f"`{rival}` alone holds {alone} of {summary['draws']} draws. *Held* and *inside*, minus `default`: {differences}."
     flew = joined([f"`{name}`" for name in summary["controllers"]])
-    words = f"{headline} {said} Only {flew} flew them, the first {first['draws']} of which are those above. {groups[2]}"
+    words = f"{headline} {said} Only {flew} flew all of them, the first {first['draws']} of which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
     against = {name: of_all["scores"][name]["against_reference"] for name in others}
@@ -255,7 +255,8 @@ def _against(others: dict[str, Any], draws: int) -> str:
     held = (f"`{name}` {_difference(one['held'])}" for name, one in others.items())
     name, best = max(others.items(), key=lambda each: each[1]["inside"]["estimate"])
     inside = _difference(best["inside"])
-    return f"Others, the first {draws} draws: {'; '.join(held)}. *Inside*, the nearest: `{name}`, {inside}."
+    all_held = f"On the first {draws} draws others flew, too. *Held*: {'; '.join(held)}."
+    return f"{all_held} *Inside*, the nearest of these: `{name}`, {inside}."
 
 
 def _difference(one: dict[str, float]) -> str:

@@ -83,7 +83,7 @@ def test_its_table_of_controllers_is_that_of_the_page() -> None:
 SAID = {
     "benchmark": (
         r"(?s)\[(\d+ of \d+ draws)\].* Of \[(\d+)\]\S+ the default holds (\S+), "
-        r"`indi` with its diagnosis (\S+): (\S+ \(\S+ to \S+\))\.",
+        r"`indi` with that diagnosis (\S+): (\S+ \(\S+ to \S+\))\.",
         r"(?s)## The nearest(?=.*? alone holds (\d+ of \d+ draws))"
         r".*?Of (\d+) draws `default` holds (\S+) .*?`indi_monitor`, holds (\S+): (\S+ \(\S+ to \S+\))\.",
     ),

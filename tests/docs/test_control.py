@@ -37,8 +37,8 @@ SENTENCES = [
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
     f"that remains after adaptation is averaged over {evidence.MEAN_S:g} s",
-    f"When the value has been above {offset_detection.JAM_SIGMA:g} for {evidence.MEAN_S:g} s "
-    f"({evidence.SLOW_S:g} s for a motor or engine)",
+    f"while the value is above {offset_detection.JAM_SIGMA:g} and the largest of all, and down otherwise. "
+    f"When it passes {evidence.MEAN_S:g} s ({evidence.SLOW_S:g} s for a motor or engine)",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives thrust beyond {NUMBER[evidence.BEYOND_DOUBT]} standard deviations for {evidence.MEAN_S:g} s "
