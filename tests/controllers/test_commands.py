@@ -9,6 +9,7 @@ from vtail_setup import WEATHER, axial, records_of, vtail_setup
 from testbed.common.signals import GUARDED, RATES, TELEMETRY, Belief, telemetry_rows
 from testbed.controllers.actuator_model import throttle_for
 from testbed.controllers.commands import command_actuators, write_diagnosis, write_guard, write_telemetry
+from testbed.controllers.inversion.evidence import MEAN_S
 
 
 def test_servos_get_angles_and_motors_the_throttle_for_their_thrust() -> None:
@@ -59,7 +60,7 @@ KNOWN = [
     ({"moved": -0.3}, Belief.doubted),
     ({"failed": 1, "jammed": 1, "lambda_hat": 2.5}, Belief.held),
     ({"failed": 1, "reversed": 1, "lambda_hat": -1.0}, Belief.reversed),
-    ({"offset": 0.4}, Belief.offset),
+    ({"moved": 0.4, "offset_timer": 1.01 * MEAN_S}, Belief.offset),
     ({"late": 2.0, "late_variance": 0.01}, Belief.late),
     ({"late": 0.2, "late_variance": 0.01}, Belief.works),  # 2 standard deviations
 ]

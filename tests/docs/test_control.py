@@ -36,20 +36,20 @@ SENTENCES = [
     f"until its estimate has stayed below its threshold for {evidence.SLOW_S:g} s",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
-    f"that remains after adaptation is averaged over {evidence.MEAN_S:g} s",
-    f"while the value is above {offset_detection.JAM_SIGMA:g} and the largest of all, and down otherwise. "
-    f"When it passes {evidence.MEAN_S:g} s ({evidence.SLOW_S:g} s for a motor or engine)",
+    f"the variance that gusts leave of its mean over {evidence.MEAN_S:g} s",
+    f"with a force beyond {offset_detection.JAM_SIGMA:g} standard deviations (below)",
+    f"in use, and for {evidence.SLOW_S:g} s $b$ holds as much of its thrust",
+    f"once it has followed for {evidence.MEAN_S:g} s, with a force beyond {offset_detection.JAM_SIGMA:g} standard deviations",
     f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives thrust beyond {NUMBER[evidence.BEYOND_DOUBT]} standard deviations for {evidence.MEAN_S:g} s "
     f"at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",
-    f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations away",
     f"goes more than {jam_detection.REVERSAL_SHARE:g} of that way within {estimator.REVERSAL_S:g} s, "
     "and the way is longer than one scaled unit",
     f"a sine of {probing.RAD_S:g} rad/s for the first actuator and {probing.RAD_S_MORE:g} rad/s more for each next",
-    f"at most {probing.LARGEST:g} scaled units",
+    f"at most {probing.LARGEST:g} scaled units of a surface and {probing.LARGEST_THRUST:g} of thrust",
     f"held within {probing.LARGEST:g} units of a stop is not judged",
     f"a jam if it is at most {offset_detection.NEAR_SIGMAS:g} deviations above 0 for {evidence.MEAN_S:g} s",
     f"an engine's sine is {probing.ENGINE_SLOWER:g} times slower",

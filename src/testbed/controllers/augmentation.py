@@ -209,7 +209,7 @@ def adapt_theta(y, pressure_ratio, m, c, s, h, w):
 @compiled
 def mrac_step(step, parts):
     """One control step: adaptation, outer loops, inversion, commands; returns 0. The last part is the adaptive one."""
-    states, setpoints, telemetry, models, settings, modes, memories, works, _, adaptations = parts
+    states, setpoints, telemetry, models, settings, modes, memories, works, adaptations, _ = parts
     y, ref, w, h = states[step], setpoints[step], works[0], adaptations[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)

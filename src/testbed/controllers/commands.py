@@ -11,7 +11,7 @@ import math
 from testbed.common.jit import compiled
 from testbed.common.signals import Belief
 from testbed.controllers.actuator_model import engine_throttle_for, throttle_for
-from testbed.controllers.inversion.offset_detection import is_late
+from testbed.controllers.inversion.offset_detection import is_late, is_offset
 
 # Compiled functions take the codes as plain numbers.
 WORKS, DOUBTED, LOST, HELD = map(int, (Belief.works, Belief.doubted, Belief.lost, Belief.held))
@@ -59,7 +59,7 @@ def belief(i, c, s):
         return HELD
     if s.failed[i]:
         return LOST
-    if s.offset[i] != 0.0:
+    if is_offset(i, s):
         return OFFSET
     if s.moved[i] != 0.0 or (s.early[i] and s.lambda_hat[i] < c.recovery):
         return DOUBTED

@@ -16,13 +16,12 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_guard
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.controller import CompiledController
 from testbed.controllers.inversion.law import state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.sensor_guard import guard
+from testbed.controllers.inversion.sensor_guard import believe
 from testbed.controllers.inversion.step import estimate
 from testbed.controllers.setup import Setup
 
@@ -32,12 +31,9 @@ def diagnose(step, parts):
     """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved. The last part is
     the measured states, and the first those that are believed, which the control law reads."""
     believed, setpoints, telemetry, models, _, modes, memories, works, settings, diagnoses, states = parts
-    believed[step] = states[step]
-    y, ref, m, c = believed[step], setpoints[step], models[0], settings[0]
-    s, d, w, changed = memories[0], diagnoses[0], works[0], 0
-    if c.guards:
-        changed = guard(states[step], ref, y, m, c, modes[0], d)
-        write_guard(telemetry[step], d)
+    ref, m, c, s, d, w = setpoints[step], models[0], settings[0], memories[0], diagnoses[0], works[0]
+    changed = believe(step, states, believed, ref, telemetry[step], m, c, modes[0], d)
+    y = believed[step]
     for i in range(len(d.command)):
         d.command[i] = s.command[i]
     advance_actuators(c.dt, axial_speed(y), m, d)
@@ -70,9 +66,11 @@ class DiagnosedController(CompiledController):
         more = (chosen, self._diagnosed)
         super().__init__(setup, law, settings, self._modes.record, self._memory, more)
 
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `Controller.bind`)."""
-        super().bind(np.zeros_like(states) if self._active else states, setpoints, telemetry)
+    def bind(
+        self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray, *more: np.ndarray
+    ) -> None:
+        """Take the channels of a flight (see `Controller.bind`). What the sensor guard believes is a channel of its own."""
+        super().bind(np.zeros_like(states) if self._active else states, setpoints, telemetry, *more)
         if self._active:
             self._diagnosis = (*self._parts, states)
             self._diagnose = bound(diagnose, 0, self._diagnosis)
@@ -92,6 +90,6 @@ class DiagnosedController(CompiledController):
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:], s.stuck[:] = d.failed, d.jammed, d.early, d.stuck
         s.reversed[:] = d.reversed & self._records[1][0].uncompensated
-        s.offset[:] = d.offset  # for what is said alone
+        s.moved[:], s.offset_timer[:] = d.moved, d.offset_timer  # for what is said alone
         self._modes.switch(step, float(self._parts[0][step].airspeed))
         d.designed_position[:], d.failed[:], d.early[:] = s.designed_position, s.failed, s.early

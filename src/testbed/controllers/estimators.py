@@ -72,7 +72,7 @@ def rls_step(step, parts):
     for row in range(4):
         update_by_rate(row, w.z[row], w.phi[row], w.P_h, c, s)
     project(m, c, s)
-    command_step(step, parts)
+    command_step(step, parts[:8])
     return 0
 
 
@@ -199,8 +199,8 @@ def conclude(c, s, h):
 
 @compiled
 def imm_step(step, parts):
-    """Estimate, flag, invert and command for one measured state; as `inversion.step.adaptive_step`, with the bank as last part."""
-    states, _, _, models, settings, _, memories, works, _, banks = parts
+    """Estimate, flag, invert and command for one measured state; as `inversion.step.adaptive_step`, beside its bank."""
+    states, _, _, models, settings, _, memories, works, banks, _ = parts
     y, m, c, s, w, h = states[step], models[0], settings[0], memories[0], works[0], banks[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
     state_function(y, m, w.f)
@@ -211,7 +211,7 @@ def imm_step(step, parts):
     update(w.z, w.phi, c, s, h)
     if conclude(c, s, h):
         return 1
-    command_step(step, parts[:9])
+    command_step(step, parts[:8])
     return 0
 
 

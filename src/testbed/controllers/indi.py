@@ -38,7 +38,10 @@ from testbed.controllers.commands import command_actuators, write_diagnosis, wri
 from testbed.controllers.config import AdaptiveIndiSettings, IndiSettings
 from testbed.controllers.diagnosis import DiagnosedController
 from testbed.controllers.initial_records import settings_record
-from testbed.controllers.inversion.allocation import allocate_and_command, allocate_within_stops
+from testbed.controllers.inversion.allocation import (
+    allocate_and_command,
+    allocate_within_stops,
+)
 from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.law import (
     compensate,
@@ -51,7 +54,6 @@ from testbed.controllers.inversion.law import (
     state_function,
 )
 from testbed.controllers.outer_loops import virtual_control
-from testbed.controllers.records import U_DOT
 from testbed.controllers.setup import Setup
 
 SETTLED = 10.0
@@ -174,23 +176,19 @@ def learn(dt, m, s, h):
 
 @compiled
 def weigh(m, k, h):
-    """The allocation's Hessians G' diag(row_weight) G + deviation for the present G: of all, and as if what is for thrust alone did
-    not turn the aircraft."""
+    """The allocation's Hessian G' diag(row_weight) G + deviation for the present G."""
     n = len(h.inputs)
     for a in range(n):
         for b in range(n):
-            k.hessian[a, b] = k.thrust_hessian[a, b] = h.deviation if a == b else 0.0
+            k.hessian[a, b] = h.deviation if a == b else 0.0
             for i in range(4):
-                weighted = m.B[i, a] * k.row_weight[i] * m.B[i, b]
-                k.hessian[a, b] += weighted
-                if i == U_DOT or not (k.thrust_alone[a] or k.thrust_alone[b]):
-                    k.thrust_hessian[a, b] += weighted
+                k.hessian[a, b] += m.B[i, a] * k.row_weight[i] * m.B[i, b]
 
 
 @compiled
 def adaptive_indi_step(step, parts):
-    """One control step: learn, remainder, loops, increment, allocation, commands; returns 0. The last part is what is learnt."""
-    states, setpoints, telemetry, models, settings, modes, memories, works, _, learnt = parts
+    """One control step: learn, remainder, loops, increment, allocation, commands; returns 0. What is learnt is among its parts."""
+    states, setpoints, telemetry, models, settings, modes, memories, works, learnt, _ = parts
     y, ref, w, h = states[step], setpoints[step], works[0], learnt[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)

@@ -113,7 +113,7 @@ def _fill_loops(c: np.record, setup: Setup) -> None:
 def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
     c.adapts, c.estimates, c.weighted = True, True, chosen.estimation == "weighted"
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
-    c.tests_jams = "jam_test" not in chosen.ablate
+    c.tests_jams = c.weighted and "jam_test" not in chosen.ablate
     c.tests_offsets = c.weighted and "offset_test" not in chosen.ablate
     c.probes = c.weighted and "probing" not in chosen.ablate
     c.guards = c.weighted and "sensor_guard" not in chosen.ablate

@@ -135,16 +135,6 @@ def test_estimates_are_kept_between_their_bounds() -> None:
         assert s.lambda_hat == pytest.approx(np.full(4, bound))
 
 
-def test_of_a_jammed_actuator_the_position_is_integrated() -> None:
-    m, c, _, s, _ = records_of(SETUP)
-    s.jammed[0], s.lambda_hat[0] = 1, -0.5
-    adapt(np.array(m.B)[:, 0] * 0.2, 1.0, m, c, s)
-    assert s.lambda_hat[0] == pytest.approx(-0.5 + c.dt * c.gamma[0] * 0.2)
-    for _ in range(5000):
-        adapt(np.array(m.B)[:, 0] * 9.0, 1.0, m, c, s)
-    assert s.lambda_hat[0] == m.high[0]
-
-
 def test_inversion_gives_the_rates_back() -> None:
     """(29) with the first mode is (6): B_m diag(pressure) r is nu, at any airspeed."""
     m, _, k, s, _ = records_of(SETUP)

@@ -11,6 +11,7 @@ import pytest
 from vtail_setup import WEATHER, vtail_setup
 
 from testbed.controllers.initial_records import trimmed_memory
+from testbed.controllers.inversion.evidence import MEAN_S
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput
@@ -129,7 +130,7 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
 
 def test_an_offset_is_said_and_changes_no_mode() -> None:
     modes, s = switch_of(vtail_setup(WEATHER))
-    s.offset[1], s.heading_integral = -0.8, 0.02
+    s.moved[1], s.offset_timer[1], s.heading_integral = -0.8, 1.01 * MEAN_S, 0.02
     modes.switch(5)
     assert modes.reasons == [
         (5, "right_ruddervator: its force follows its command with an offset: not jammed, used on")

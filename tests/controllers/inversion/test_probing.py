@@ -25,12 +25,12 @@ from testbed.simulation import fly
 
 
 def given_up(i: int, jammed: bool) -> Records:
-    """Actuator i has been given up, and stands at its trim position; the flight has departed."""
+    """Actuator i has been given up, and stands at its trim position."""
     made = records_of(vtail_setup(WEATHER))
     m, _, _, s, _ = made
     s.position[:], s.lambda_hat[:] = m.trim_position, 1.0
     s.failed[i], s.jammed[i], s.since_flag[i] = 1, jammed, 0.9 * REVERSAL_S
-    s.lambda_hat[i], s.departed = m.trim_position[i] if jammed else 0.0, 1
+    s.lambda_hat[i] = m.trim_position[i] if jammed else 0.0
     return made
 
 
@@ -56,7 +56,7 @@ def test_what_follows_its_probe_is_used_again(i: int, jammed: bool) -> None:
     time = seconds_until_used(made, i, 1.0)
     assert AT_LEAST_RAD / probe_rate(i, made[0]) <= time < 4.0
     s = made.s
-    assert not s.failed[i] and not s.jammed[i] and abs(s.offset[i]) < 0.1
+    assert not s.failed[i] and not s.jammed[i] and abs(s.moved[i]) < 0.1
     assert s.lambda_hat[i] == pytest.approx(1.0, abs=0.1) and s.probe[i] == 0.0
 
 
@@ -81,9 +81,9 @@ def test_a_held_surface_that_follows_beside_its_command_has_an_offset() -> None:
     made = given_up(0, True)
     made.s.lambda_hat[0] += 0.6
     assert seconds_until_used(made, 0, 1.0) < 4.0
-    assert made.s.offset[0] == pytest.approx(0.6, abs=0.3)
+    assert made.s.moved[0] == pytest.approx(0.6, abs=0.3)
     column = np.array(made.m.B)[:, 0]
-    assert made.s.b == pytest.approx(column * made.s.offset[0]), (
+    assert made.s.b == pytest.approx(column * made.s.moved[0]), (
         "the model error takes the offset's force over"
     )
 

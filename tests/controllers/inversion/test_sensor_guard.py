@@ -230,6 +230,7 @@ def test_an_offset_is_made_up_for_once_with_a_stuck_vane(surface: str, vane: str
     changes = [
         "aircraft=aerosonde", f"initial={{{start}}}", f"commands=[{{at_s: 0, {start}}}, {{at_s: 15, heading_deg: 110}}]",
         f"failures=[{{type: bias, actuator: {surface}, at_s: 12, value: 6}}]", "requirements=[]",
+        "controller={type: adaptive_inversion}",
         f"sensors={{model: mems, faults: [{{type: stuck, sensor: {vane}, at_s: 30}}]}}",
         "atmosphere={turbulence_w20_m_s: 3.1}", "seed=5", "duration_s=60",
     ]  # fmt: skip

@@ -42,8 +42,7 @@ def parts_of(setup: Setup, effectiveness: float = 1.0) -> tuple[Any, ...]:
     assert isinstance(chosen, AdaptiveInversionSettings)
     mode = ModeSwitch(setup, memory).record
     own = (model_record(setup), settings_record(setup, chosen), mode, memory, np.zeros(1, work_dtype(4)))
-    believed = np.zeros(1, record_dtype(STATE))
-    return measured, references, np.zeros((1, telemetry_width(4))), *own, believed
+    return measured.copy(), references, np.zeros((1, telemetry_width(4))), *own, measured
 
 
 @pytest.mark.parametrize("setup", [NEWTON, WEIGHTED], ids=["newton", "weighted"])
@@ -81,7 +80,7 @@ def test_a_step_that_flags_has_not_commanded_yet() -> None:
             break
     assert s.failed.tolist() == [1, 0, 0, 0]
     assert not telemetry.any()
-    command_step(0, parts)
+    command_step(0, parts[:8])
     assert telemetry[0, 12:16].tolist() == [1.0, 0.0, 0.0, 0.0] and telemetry[0, :8].any()
 
 

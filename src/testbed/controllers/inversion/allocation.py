@@ -24,8 +24,8 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
-from testbed.controllers.inversion.law import compensate, effect_ratio, invert, largest, reach
-from testbed.controllers.records import Q_DOT, U_DOT
+from testbed.controllers.inversion.law import compensate, effect_ratio, invert, reach
+from testbed.controllers.records import Q_DOT
 
 MOST_ITERATIONS = 200
 """Far more than are needed: with 12 variables, at most about 40 were seen. A loop without an end must not fly."""
@@ -66,23 +66,14 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
 
         sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = effect_ratio r - trim_effect.
 
-    Actuators that answer to u_dot alone are solved for first, as if they did not turn the aircraft; then the others, which make up
-    for what they turn. Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
+    Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
     """
     set_bounds(pressure_ratio, m, c, k, s, w)
-    if largest(k.thrust_alone):
-        right_hand_side(nu, True, m, k, w)
-        bounded_least_squares(k.thrust_hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
-        for i in range(len(s.r)):
-            if k.thrust_alone[i]:
-                w.low[i] = w.high[i] = w.d[i]  # the second problem takes these as they are
-    right_hand_side(nu, False, m, k, w)
+    right_hand_side(nu, m, k, w)
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
     s.pitch_beyond_stop = beyond_stop(Q_DOT, nu, m, k, s, w)
     for i in range(len(s.r)):
         s.r[i] = (k.trim_effect[i] + w.d[i]) / effect_ratio(i, pressure_ratio, m)
-        if k.thrust_alone[i]:
-            s.at_stop[i] = 0  # its bounds were made equal above, which is no stop
 
 
 @compiled
@@ -112,14 +103,12 @@ def set_bounds(pressure_ratio, m, c, k, s, w):
 
 
 @compiled
-def right_hand_side(nu, thrust_first, m, k, w):
-    """Fill w.g [n] with B' diag(row_weight) nu, of the normal equations hessian d = g; with `thrust_first` as if the actuators that
-    answer to u_dot alone did not turn the aircraft."""
+def right_hand_side(nu, m, k, w):
+    """Fill w.g [n] with B' diag(row_weight) nu, of the normal equations hessian d = g."""
     for i in range(len(w.g)):
         w.g[i] = 0.0
         for row in range(4):
-            if row == U_DOT or not (thrust_first and k.thrust_alone[i]):
-                w.g[i] += m.B[row, i] * k.row_weight[row] * nu[row]
+            w.g[i] += m.B[row, i] * k.row_weight[row] * nu[row]
 
 
 @compiled

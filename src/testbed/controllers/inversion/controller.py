@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from testbed.common.jit import bound
-from testbed.common.signals import STATE, as_records
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
@@ -45,9 +44,11 @@ class CompiledController:
         self._law, self._records = law, (model_record(setup), settings, mode, memory, work, *more)
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `Controller.bind`)."""
-        self._parts = (states, setpoints, telemetry, *self._records)
+    def bind(
+        self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray, *more: np.ndarray
+    ) -> None:
+        """Take the channels of a flight (see `Controller.bind`), and `more` for the law."""
+        self._parts = (states, setpoints, telemetry, *self._records, *more)
         self._step = bound(self._law, 0, self._parts)
 
     def step(self, step: int) -> memoryview:
@@ -63,7 +64,7 @@ class InversionController(CompiledController):
         setup: design model, gains and actuators.
         settings: [1] record of `records.settings_dtype`; by default that of the scenario.
         law: by default the adaptive one; it returns what `adaptive_step` does.
-        more: arrays that `law` needs beyond those of `adaptive_step`.
+        more: arrays that `law` needs beside those of `CompiledController`. The last of its parts are the measured states.
 
     Attributes:
         memory: the law's memory, an array of one record of `records.MEMORY`.
@@ -85,17 +86,19 @@ class InversionController(CompiledController):
         self.memory = trimmed_memory(setup)
         self._modes = ModeSwitch(setup, self.memory)
         self.reasons = self._modes.reasons
-        believed = as_records(np.zeros((1, len(STATE))), STATE)
-        super().__init__(setup, law, settings, self._modes.record, self.memory, (believed, *more))
+        super().__init__(setup, law, settings, self._modes.record, self.memory, more)
 
     def switch(self, step: int) -> None:
         """Put the mode in force that belongs to the flags in `memory`, from row `step` on."""
         self._modes.switch(step, float(self._parts[0][step].airspeed))
 
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `Controller.bind`)."""
-        super().bind(states, setpoints, telemetry)
-        self._common = self._parts[:9]
+    def bind(
+        self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray, *more: np.ndarray
+    ) -> None:
+        """Take the channels of a flight (see `Controller.bind`). What the adaptive law believes is a channel of its own."""
+        believed = np.zeros_like(states) if self._law is adaptive_step else states
+        super().bind(believed, setpoints, telemetry, states, *more)
+        self._common = self._parts[:8]
         self._command = bound(command_step, 0, self._common)
 
     def step(self, step: int) -> memoryview:

@@ -22,15 +22,6 @@ TIMER_ROUNDING = 1e-9
 
 
 @compiled
-def largest(values):
-    """The largest of some numbers. numba takes a second to compile the method `max` of an array."""
-    most = values[0]
-    for value in values:
-        most = max(most, value)
-    return most
-
-
-@compiled
 def pressure_ratio_of(y, m):
     """(V/V_0)^2 [1], the air's density taken as constant; of a pitot tube that reads nothing that of `LEAST_SPEED`."""
     speed = max(y.airspeed / m.airspeed, LEAST_SPEED)
@@ -155,17 +146,13 @@ def adapt(e, pressure_ratio, m, c, s):
     The reason is that the deflection a excites the rates, not the reference r.
 
     The logarithm of lambda_hat is integrated, which keeps the estimates positive, and unbiased under differentiated noise. They
-    are projected onto [lambda_min, lambda_max], because without bounds they can diverge however good B_m is. For a jammed
-    actuator lambda_hat is its position, which is integrated itself and kept within the stops.
+    are projected onto [lambda_min, lambda_max], because without bounds they can diverge however good B_m is.
     """
     for i in range(len(s.lambda_hat)):
         x = 0.0
         for j in range(4):
             x += m.B_inv[i, j] * e[j]  # B_m^-1 e of (13)
         x /= effect_ratio(i, pressure_ratio, m)  # B_m at this airspeed
-        if s.jammed[i]:
-            s.lambda_hat[i] = min(max(s.lambda_hat[i] + c.dt * c.gamma[i] * x, m.low[i]), m.high[i])
-            continue
         rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])  # (13): lambda_hat' = rate
         # (log lambda_hat)' = lambda_hat' / lambda_hat, integrated
         estimate = s.lambda_hat[i] * math.exp(c.dt * rate / s.lambda_hat[i])

@@ -11,7 +11,6 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
 from testbed.controllers.inversion.offset_detection import deviation
-from testbed.controllers.outer_loops import wrap
 
 
 @compiled
@@ -41,13 +40,6 @@ def works(i, c, s):
     doubt."""
     least = c.threshold + c.threshold_rise[i] + BEYOND_DOUBT * deviation(i, s)
     return s.lambda_hat[i] > c.recovery or (c.weighted and s.lambda_hat[i] > least)
-
-
-@compiled
-def has_departed(y, ref, c):
-    """Whether altitude or heading is farther from its reference than the outer loops look."""
-    height, heading = abs(y.altitude - ref.altitude), abs(wrap(y.heading - ref.heading))
-    return height > c.altitude_error_max or heading > c.heading_error_max
 
 
 @compiled

@@ -10,7 +10,7 @@ import numpy as np
 
 from testbed.common.signals import GUARDED, RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.evidence import SLOW_S
+from testbed.controllers.inversion.evidence import MEAN_S, SLOW_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
@@ -21,9 +21,7 @@ from testbed.inputs.problems import BadInput, Problem
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference that an event says, m/s
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
 _JAM_SHARES = (0.5, 0.6, 0.7, 0.8, 0.9)
-"""Of the jammed actuators' positions, for which a trim is looked for in turn where there is no level one with all of them."""
-
-_LEVEL = 2  # the highest `_rank` of a trim
+"""Of the jammed actuators' positions, for which a trim is looked for where there is no level one with all of them."""
 
 _JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
@@ -164,17 +162,17 @@ class ModeSwitch:
         diagnoses = (
             (jammed, _JAMMED),
             (np.flatnonzero(s.reversed), _REVERSED),
-            (np.flatnonzero(s.offset), _OFFSET),
+            (np.flatnonzero((s.moved != 0.0) & (s.offset_timer > MEAN_S)), _OFFSET),
         )
         for actuators, text in diagnoses:
             for i in actuators:
                 self._report(step, f"{names[i]}: {text}")
 
     def _regulator(self, step: int, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-        """The mode's regulator, for all of the jammed actuators' forces, or where altitude cannot be held with them for the largest
+        """The mode's regulator for all of the jammed actuators' forces, or where altitude cannot be held with them for the largest
         of `_JAM_SHARES` of them with which it can: an aircraft that is not quite balanced strays less than one that climbs or sinks
-        for the balance. Where no share allows level flight, it is for the largest that has a trim; where the smallest has none,
-        without these forces. A share is taken to have a trim where a larger one has: they are tried upwards as long as they do."""
+        for the balance. They are tried upwards as long as they do. Where neither all nor the smallest share has a trim, it is for
+        none of these forces."""
 
         def of_share(share: float) -> Regulator | None:
             with suppress(NoSteadyFlight):
@@ -182,19 +180,15 @@ class ModeSwitch:
             return None
 
         best, of = of_share(1.0), 1.0
-        least = _rank(best) + 1  # a part must be better than the whole, and no worse than a smaller part
-        if jammed and least <= _LEVEL:
-            for share in _JAM_SHARES:
-                part = of_share(share)
-                if _rank(part) < least:
-                    break
-                best, of, least = part, share, _rank(part)
-        if best is None:
-            return regulator_for(self._setup, mode, {})
+        for share in _JAM_SHARES if jammed and not (best and _holds_altitude(best)) else ():
+            part = of_share(share)
+            if part is None or (best is not None and not _holds_altitude(part)):
+                break
+            best, of = part, share
         if of < 1.0:
             text = f"no level trim balances the jam; flies by that of {100 * of:.0f} % of its force"
             self._report(step, f"{', '.join(mode.failed)} failed: {text}", once_for=("share", mode.failed))
-        return best
+        return best or regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         s = self._memory[0]
@@ -214,9 +208,6 @@ class ModeSwitch:
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         b, weights = np.array(setup.model.input_matrix)[:4] * setup.scale, setup.control.allocation
         k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, weights)
-        turning = np.outer([axis != "u_dot" for axis in RATES], mode.thrust_alone)
-        k.thrust_alone[:] = mode.thrust_alone
-        k.thrust_hessian[:] = allocation_of(np.where(turning, 0.0, b), mode.released, weights)[1]
 
     def _set_regulator(self, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         """Trim, gains and airspeed of the regulator; without one, the paper's outer loops at any airspeed."""
@@ -275,11 +266,6 @@ class ModeSwitch:
 def _holds_altitude(regulator: Regulator | None) -> bool:
     """Without a regulator the outer loops hold it."""
     return regulator is None or "altitude" in regulator.held
-
-
-def _rank(regulator: Regulator | None) -> int:
-    """How good a trim there is: 0 none, 1 one on a path, `_LEVEL` a level one."""
-    return 0 if regulator is None else _LEVEL if _holds_altitude(regulator) else 1
 
 
 def _cannot_hold_altitude(mode: Mode, regulator: Regulator) -> str:

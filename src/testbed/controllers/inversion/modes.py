@@ -34,7 +34,6 @@ class Mode:
             there are more actuators than kept axes. Rows of failed actuators and columns of released axes are zero.
         condition: condition number of the remaining scaled input matrix, kept axes by available actuators.
         refused: why the mode cannot be flown, or empty.
-        thrust_alone: [n] actuators that answer to u_dot alone: engines, while surfaces control all kept rates of rotation.
     """
 
     failed: tuple[str, ...]
@@ -42,7 +41,6 @@ class Mode:
     inverse: np.ndarray  # (29)
     condition: float
     refused: str = ""
-    thrust_alone: Sequence[bool] = ()
 
     @property
     def title(self) -> str:
@@ -109,12 +107,11 @@ def _mode(
     available = [i for i in range(b.shape[1]) if i not in failed]
     kept = [i for i, axis in enumerate(RATES) if axis not in axes]
     condition = float(np.linalg.cond(b[np.ix_(kept, available)])) if kept else math.inf
-    alone = _thrust_alone(b, _fast(model), kept, available, control.condition_max)
-    mode = Mode(names, axes, np.zeros((b.shape[1], 4)), condition, thrust_alone=tuple(map(bool, alone)))
+    mode = Mode(names, axes, np.zeros((b.shape[1], 4)), condition)
     refused = _refusal(len(kept), len(available), condition, control.condition_max)
     if refused:
         return replace(mode, refused=f"{mode.title}: {refused}")
-    return replace(mode, inverse=_inverse(b, kept, available, alone))
+    return replace(mode, inverse=_inverse(b, kept, available))
 
 
 def _released_axes(
@@ -158,39 +155,12 @@ def _listed_axes(failed: Sequence[str], n: int, control: ControlDesign) -> tuple
     return tuple(axis for axis in RATES if axis in axes)
 
 
-def _inverse(b: np.ndarray, kept: Sequence[int], available: Sequence[int], alone: np.ndarray) -> np.ndarray:
-    """[n, 4] `Mode.inverse`: the pseudo-inverse of the kept rows of b [4, n], with what is moved independently."""
-    u_dot, inverse = RATES.index("u_dot"), np.zeros((b.shape[1], 4))
-    basis = _basis(b[u_dot] * (u_dot in kept), alone, available)
+def _inverse(b: np.ndarray, kept: Sequence[int], available: Sequence[int]) -> np.ndarray:
+    """[n, 4] `Mode.inverse`: the pseudo-inverse of the kept rows of b [4, n]."""
+    inverse = np.zeros((b.shape[1], 4))
     # (29): B_hat^-1, rows of failed actuators and columns of released axes zero
-    inverse[np.ix_(available, kept)] = basis @ np.linalg.pinv(b[np.ix_(kept, available)] @ basis)
+    inverse[np.ix_(available, kept)] = np.linalg.pinv(b[np.ix_(kept, available)])
     return inverse
-
-
-def _thrust_alone(
-    b: np.ndarray, fast: np.ndarray, kept: Sequence[int], available: Sequence[int], condition_max: float
-) -> np.ndarray:
-    """[n] which actuators answer to u_dot alone. Differential thrust turns an aircraft too, but an engine takes seconds for it:
-    when it meets a demand for a rate of rotation, the demand has often the opposite sign already."""
-    rotating = [i for i in kept if RATES[i] != "u_dot"]
-    quick = [i for i in available if fast[i]]
-    if len(rotating) > len(quick) or not rotating:
-        return np.zeros(len(fast), bool)
-    enough = bool(np.linalg.cond(b[np.ix_(rotating, quick)]) <= condition_max)
-    return (fast == 0.0) & enough
-
-
-def _basis(thrust: np.ndarray, alone: np.ndarray, available: Sequence[int]) -> np.ndarray:
-    """[available, independent] what is moved independently: each actuator by itself, but all that answer to u_dot alone as one.
-
-    Args:
-        thrust: [n] effect on u_dot, to which these are moved in proportion.
-        alone: [n] which actuators answer to u_dot alone.
-    """
-    unit = np.eye(len(thrust))[:, ~alone]
-    together = np.where(alone, thrust, 0.0)[:, None]
-    columns = np.hstack([unit, together / max(float(np.linalg.norm(together)), 1e-12)])[list(available)]
-    return columns[:, np.any(columns != 0.0, axis=0)]
 
 
 def _fast(model: DesignModel) -> np.ndarray:

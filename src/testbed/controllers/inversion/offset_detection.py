@@ -7,8 +7,8 @@ An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when
 it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
 up for it by its `shift`.
 
-A motor or engine whose thrust turns the aircraft moves in the same way, but what it gives beside its throttle is a jam in the
-end. Thrust that shows in u_dot alone looks like drag and gusts, and is left to the model error b.
+A motor or engine whose thrust turns the aircraft moves in the same way, but what it gives beside its throttle is a jam once that
+has been sure for `SLOW_S`. Thrust that shows in u_dot alone looks like drag and gusts, and no sudden change of it is a move.
 
 Letters: those of `records`.
 """
@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import effect_ratio
 
 JAM_SIGMA = 4.0
@@ -34,7 +34,7 @@ def is_of_position(i, estimate, c, s):
     """Whether actuator i is in use, and its change to this `estimate` is one of position: it cannot have this effectiveness, or it
     has moved already. One that acts late is excluded, because a wrong time explains such changes too."""
     in_use = c.tests_offsets and c.turns[i] and not (s.failed[i] or s.jammed[i])
-    possible = s.moved[i] == 0.0 and c.lambda_min <= estimate <= c.lambda_max
+    possible = (s.moved[i] == 0.0 or is_offset(i, s)) and c.lambda_min <= estimate <= c.lambda_max
     return in_use and not is_late(i, s) and not possible
 
 
@@ -51,14 +51,15 @@ def expect_offset(i, change, phi, m, s):
     What was learned of actuator i while its force was taken for effectiveness is doubted: the variance of its estimate becomes at
     least the square of its distance from 1. How far it has moved by the first such force is kept."""
     n = len(s.lambda_hat)
-    if s.moved[i] == 0.0:
+    if s.moved[i] == 0.0 or is_offset(i, s):
         lost = 1.0 - s.lambda_hat[i]
         s.P[i, i] = max(s.P[i, i], lost * lost)
+    if s.moved[i] == 0.0:
         projection, square = 0.0, 1e-12
         for row in range(4):
             projection += m.B[row, i] * phi[row, i] * change
             square += m.B[row, i] * m.B[row, i]
-        s.moved[i] = projection / square
+        s.moved[i], s.offset_timer[i] = projection / square, 0.0
     for row in range(4):
         for other in range(4):
             s.P[n + row, n + other] += phi[row, i] * phi[other, i] * change * change
@@ -74,13 +75,15 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
       square of a larger one, since a hardover leaves no time;
     * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `MEAN_S` if it is about 0.
     """
-    if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
+    if not c.weighted or s.jammed[i] or s.reversed[i]:
         return 0.0
+    offset, sigma = position_behind(s.b if m.servo[i] else s.beside, i, pressure_ratio, m, c, s)
+    beyond = abs(offset) / (sigma * JAM_SIGMA)
+    if not m.servo[i]:
+        return SLOW_S if beyond > 1.0 and not s.failed[i] else 0.0
     doubt = deviation(i, s)
     if s.lambda_hat[i] >= min(HALF_WAY, 1.0 - BEYOND_DOUBT * doubt):
         return 0.0
-    offset, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
-    beyond = abs(offset) / (sigma * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * doubt:
@@ -89,10 +92,15 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 
 
 @compiled
-def follows(i, m, c, s):
+def follows(i, m, s):
     """Whether surface i moves with its commands: effectiveness 0 is out of question."""
-    sure = s.lambda_hat[i] > max(HALF_WAY, BEYOND_DOUBT * deviation(i, s))
-    return c.tests_offsets and m.servo[i] and sure and not s.failed[i]
+    return m.servo[i] and s.lambda_hat[i] > max(HALF_WAY, BEYOND_DOUBT * deviation(i, s))
+
+
+@compiled
+def is_offset(i, s):
+    """Whether actuator i follows its command with an offset: that was sure for `MEAN_S` longer than it was not."""
+    return s.moved[i] != 0.0 and s.offset_timer[i] > MEAN_S
 
 
 @compiled
@@ -139,23 +147,15 @@ def was_a_gust(i, offset, pressure_ratio, m, c, s):
 
 
 @compiled
-def take_for_offset(i, offset, s):
-    """Use surface i with this offset [scaled]."""
-    s.offset[i], s.jam_timer[i], s.moved[i] = offset, 0.0, 0.0
-    for row in range(4):
-        s.residual[row] = 0.0
-
-
-@compiled
 def keep_offsets(pressure_ratio, m, c, s):
-    """Keep offsets and moves in the model error b: along their columns of B it does not fade, and its standard deviation is
-    the offset. Where b faded, effectiveness would slowly take its place. Of one that has moved it is no more than what was
-    seen at first: with more, the offset of a jammed one would follow the commands, and it would seem to work."""
+    """Keep what actuators have moved in the model error b: along their columns of B it does not fade, and its standard deviation is
+    that offset. Where b faded, effectiveness would slowly take its place. Until they are known to follow, it is no more than what
+    was seen at first: with more, the offset of a jammed one would follow the commands, and it would seem to work."""
     n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
-        if s.moved[i] != 0.0 or s.offset[i] != 0.0:
+        if s.moved[i] != 0.0:
             force = effect_ratio(i, pressure_ratio, m) * position_behind(s.b, i, pressure_ratio, m, c, s)[0]
-            size = abs(force) if s.moved[i] == 0.0 else min(abs(force), abs(s.moved[i]))
+            size = abs(force) if is_offset(i, s) else min(abs(force), abs(s.moved[i]))
             for row in range(4):
                 s.b[row] += rate * m.B[row, i] * force
                 for other in range(4):
@@ -164,22 +164,26 @@ def keep_offsets(pressure_ratio, m, c, s):
 
 @compiled
 def follow_offsets(pressure_ratio, m, c, s):
-    """Update the offsets by the model error b, and `shift`, by which commands make up for them."""
-    for i in range(len(s.offset)):
+    """Update `shift`, by which commands make up for what has moved, by the model error b, and what is `beside` in b. Returns 1 when
+    a surface `is_offset` from now on: that is sure while it `follows` and its force is beyond `JAM_SIGMA` standard deviations."""
+    found = 0
+    for row in range(4):
+        s.beside[row] = s.b[row]
+    for i in range(len(s.moved)):
         s.shift[i] = 0.0
-        if s.offset[i] != 0.0 or s.moved[i] != 0.0:
-            estimate = position_behind(s.b, i, pressure_ratio, m, c, s)[0]
-            if s.moved[i] != 0.0 and was_a_gust(i, estimate, pressure_ratio, m, c, s):
-                s.moved[i] = 0.0
-            s.shift[i] = 0.0 if c.uncompensated else estimate
-            s.offset[i] = estimate if s.offset[i] != 0.0 else 0.0
-
-
-@compiled
-def force_of_offsets(row, pressure_ratio, m, s):
-    """What the believed offsets of surfaces add to one rate [rad/s2; u_dot m/s2]."""
-    force = 0.0
-    for i in range(len(s.offset)):
-        if s.offset[i] != 0.0:
-            force += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * s.offset[i]
-    return force
+        if s.moved[i] == 0.0:
+            continue
+        estimate, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
+        s.shift[i] = 0.0 if c.uncompensated else estimate
+        if m.servo[i]:
+            for row in range(4):
+                s.beside[row] -= m.B[row, i] * effect_ratio(i, pressure_ratio, m) * estimate
+        if is_offset(i, s):
+            continue
+        sure = follows(i, m, s) and abs(estimate) > JAM_SIGMA * sigma
+        s.offset_timer[i] = max(s.offset_timer[i] + (c.dt if sure else -c.dt), 0.0)
+        if is_offset(i, s):
+            found = 1
+        elif was_a_gust(i, estimate, pressure_ratio, m, c, s):
+            s.moved[i] = 0.0
+    return found

@@ -17,9 +17,10 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
-from testbed.controllers.inversion.evidence import HALF_WAY
+from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
 from testbed.controllers.inversion.jam_detection import settle_regression, take_for_working
 from testbed.controllers.inversion.law import effect_ratio
+from testbed.controllers.inversion.offset_detection import position_behind
 
 CERTAIN = 7.0
 """Logarithm of a likelihood ratio that is believed [1]: 1100 to 1."""
@@ -28,8 +29,9 @@ WITHIN_S = 0.7
 QUICK_SHARE = 0.25
 """Share of the variance of the model's error, beyond that at its trim, that varies as quickly as the sine [1]. With none of it
 hardovers seemed to work in calm air. With all of it, propellers that worked again were found later than with a quarter."""
-LARGEST = 0.8
-"""Largest amplitude of the sine [scaled]. What is lost or held does not follow it: it moves an aircraft only until it is used."""
+LARGEST, LARGEST_THRUST = 0.8, 1.6
+"""Largest amplitude of the sine of a surface, and of thrust [scaled]. What is lost or held does not follow it: it moves an aircraft
+only until it is used. Thrust moves it slowly, and with 0.8 an Aerosonde's propeller was used 2.9 s after it worked again."""
 RAD_S, RAD_S_MORE = 4.0, 1.0
 """Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves
 out. One that acts 0.3 s late has a gain of -0.2 at 6 rad/s, and of -0.9 at 9 rad/s, where it seems reversed."""
@@ -60,7 +62,7 @@ def probe(e, pressure_ratio, m, c, s):
             s.works[i] = 0.0
             continue
         if s.works[i] > CERTAIN:
-            use_again(i, pressure_ratio, m, s)
+            use_again(i, pressure_ratio, m, c, s)
             changed = 1
     return changed
 
@@ -69,7 +71,7 @@ def probe(e, pressure_ratio, m, c, s):
 def has_room(i, m, s):
     """Whether an actuator is where its probe can move it: one that is held at its stop cannot show a gain, unless it is trimmed
     there."""
-    low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
+    low, high = m.low[i] + largest_amplitude(i, m), m.high[i] - largest_amplitude(i, m)
     return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
 
 
@@ -77,6 +79,12 @@ def has_room(i, m, s):
 def probe_rate(i, m):
     """Angular frequency of the sine of actuator i [rad/s]."""
     return (RAD_S + RAD_S_MORE * i) / slower(i, m)
+
+
+@compiled
+def largest_amplitude(i, m):
+    """Largest amplitude of the sine of actuator i [scaled]."""
+    return LARGEST if m.servo[i] else LARGEST_THRUST
 
 
 @compiled
@@ -105,7 +113,7 @@ def follow_probe(i, e, position, pressure_ratio, m, c, s):
     s.works[i] = max(s.works[i] + c.dt * (moved * product - half), 0.0)
     # The mean of the sum's rate is a quarter of the amplitude's square times the information.
     amplitude = math.sqrt(4.0 * CERTAIN / (information * WITHIN_S * slower(i, m)))
-    s.probe[i] = min(amplitude, LARGEST) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
+    s.probe[i] = min(amplitude, largest_amplitude(i, m)) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
 
 
 @compiled
@@ -116,14 +124,17 @@ def unexplained(i, row, e, position, pressure_ratio, m, s):
 
 
 @compiled
-def use_again(i, pressure_ratio, m, s):
-    """Take an actuator for working: most likely all of its effect has come back. A surface that was held has an offset, by which
-    its force is not that of its command: the model error takes it over, and commands make up for it (`offset_detection`)."""
+def use_again(i, pressure_ratio, m, c, s):
+    """Take an actuator for working: most likely all of its effect has come back. The force by which a surface is beside its command
+    is an offset, since its sine has shown that it follows: the model error has it, and commands make up for it
+    (`offset_detection`)."""
+    ratio = effect_ratio(i, pressure_ratio, m)
     if s.jammed[i]:
-        offset = s.lambda_hat[i] - s.probe_mean[i]
         for row in range(4):
-            s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
-        s.offset[i] = offset if m.servo[i] else 0.0
+            s.b[row] += m.B[row, i] * ratio * (s.lambda_hat[i] - s.probe_mean[i])
+    if m.servo[i]:
+        s.moved[i] = ratio * position_behind(s.b, i, pressure_ratio, m, c, s)[0]
+        s.offset_timer[i] = SLOW_S
     take_for_working(i, 1.0, 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
     s.probe[i], s.works[i] = 0.0, 0.0

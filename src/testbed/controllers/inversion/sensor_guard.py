@@ -24,6 +24,7 @@ from testbed.common import angles
 from testbed.common.jit import compiled
 from testbed.common.signals import GUARDED
 from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.commands import write_guard
 from testbed.controllers.inversion.law import lag_gain, pressure_ratio_of
 from testbed.controllers.records import BETA, D_ALPHA, D_BETA, ROLL
 
@@ -44,6 +45,17 @@ UNSEEN_GUST = 0.76
 model error does."""
 G_ALPHA, G_BETA, G_AIRSPEED, G_P, G_Q, G_R = range(len(GUARDED))
 wrap = compiled(angles.wrap)
+
+
+@compiled
+def believe(step, states, believed, ref, row, m, c, k, s):
+    """Fill a step of the channel `believed` from the measured states, and of telemetry, its `row`; returns 1 as `guard` does."""
+    believed[step] = states[step]
+    if not c.guards:
+        return 0
+    changed = guard(states[step], ref, believed[step], m, c, k, s)
+    write_guard(row, s)
+    return changed
 
 
 @compiled

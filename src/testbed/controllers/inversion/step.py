@@ -10,7 +10,7 @@ import math
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_diagnosis, write_guard, write_telemetry
+from testbed.controllers.commands import write_diagnosis, write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import (
     adapt_weighted,
@@ -33,10 +33,10 @@ from testbed.controllers.inversion.law import (
     regressor,
     state_function,
 )
-from testbed.controllers.inversion.loss_detection import has_departed, monitor
+from testbed.controllers.inversion.loss_detection import monitor
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.probing import probe
-from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
+from testbed.controllers.inversion.sensor_guard import believe, vane_is_stuck
 from testbed.controllers.outer_loops import clip, virtual_control
 from testbed.controllers.records import U_DOT
 
@@ -50,17 +50,12 @@ def adaptive_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: see `CompiledController`; the last is the state that is believed.
+        parts: see `CompiledController`; the states are those that are believed, and the last are those measured.
     """
-    states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
-    y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
-    k, s, w = modes[0], memories[0], works[0]
-    changed = 0
-    if c.guards:
-        believed[0] = y
-        y = believed[0]
-        changed = guard(states[step], ref, y, m, c, k, s)
-        write_guard(telemetry[step], s)
+    believed, setpoints, telemetry, models, settings, modes, memories, works, states = parts
+    ref, m, c, k, s, w = setpoints[step], models[0], settings[0], modes[0], memories[0], works[0]
+    changed = believe(step, states, believed, ref, telemetry[step], m, c, k, s)
+    y = believed[step]
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
         assume_ideal_actuators(m, c, k, s)
@@ -88,12 +83,11 @@ def estimate(y, ref, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
-    s.departed = has_departed(y, ref, c)
     if c.monitors and monitor(c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
-    return detect_jam(e, pressure_ratio, m, c, s) if c.tests_jams else 0
+    return detect_jam(pressure_ratio, m, c, s) if c.tests_jams else 0
 
 
 @compiled
@@ -116,10 +110,9 @@ def regression(y, pressure_ratio, m, c, s, w):
 @compiled
 def command_step(step, parts):
     """Outer loops, inversion and commands with the mode in force, for the state that the estimation of this step believed."""
-    states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
+    believed, setpoints, telemetry, models, settings, modes, memories, works = parts
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    y = believed[0] if c.guards else states[step]
-    command(y, setpoints[step], telemetry[step], m, c, k, s, works[0])
+    command(believed[step], setpoints[step], telemetry[step], m, c, k, s, works[0])
 
 
 @compiled
