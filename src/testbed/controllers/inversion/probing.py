@@ -20,7 +20,6 @@ from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
 from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
 from testbed.controllers.inversion.jam_detection import settle_regression, take_for_working
 from testbed.controllers.inversion.law import effect_ratio
-from testbed.controllers.inversion.offset_detection import position_behind
 
 CERTAIN = 7.0
 """Logarithm of a likelihood ratio that is believed [1]: 1100 to 1."""
@@ -62,7 +61,7 @@ def probe(e, pressure_ratio, m, c, s):
             s.works[i] = 0.0
             continue
         if s.works[i] > CERTAIN:
-            use_again(i, pressure_ratio, m, c, s)
+            use_again(i, pressure_ratio, m, s)
             changed = 1
     return changed
 
@@ -124,17 +123,17 @@ def unexplained(i, row, e, position, pressure_ratio, m, s):
 
 
 @compiled
-def use_again(i, pressure_ratio, m, c, s):
-    """Take an actuator for working: most likely all of its effect has come back. The force by which a surface is beside its command
-    is an offset, since its sine has shown that it follows: the model error has it, and commands make up for it
-    (`offset_detection`)."""
-    ratio = effect_ratio(i, pressure_ratio, m)
+def use_again(i, pressure_ratio, m, s):
+    """Take an actuator for working: most likely all of its effect has come back. A surface that was held has an offset, by which
+    its force is not that of its command: the model error takes it over, and commands make up for it (`offset_detection`)."""
     if s.jammed[i]:
+        offset = effect_ratio(i, pressure_ratio, m) * (s.lambda_hat[i] - s.probe_mean[i])
         for row in range(4):
-            s.b[row] += m.B[row, i] * ratio * (s.lambda_hat[i] - s.probe_mean[i])
-    if m.servo[i]:
-        s.moved[i] = ratio * position_behind(s.b, i, pressure_ratio, m, c, s)[0]
-        s.offset_timer[i] = SLOW_S
+            s.b[row] += m.B[row, i] * offset
+        s.moved[i], s.offset_timer[i] = (
+            offset if m.servo[i] else 0.0,
+            SLOW_S,
+        )  # its sine has shown that it follows
     take_for_working(i, 1.0, 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
     s.probe[i], s.works[i] = 0.0, 0.0
