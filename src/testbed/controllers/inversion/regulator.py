@@ -109,7 +109,7 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
     effect_ratio = np.where(degraded.servos, pressure_ratio, 1.0)
     inverse = mode.inverse / effect_ratio[:, None]
     B = B @ inverse
-    if not degraded.pitch_controlled:
+    if not degraded.pitch_controlled and degraded.servos[degraded.used].any():
         _take_apart(A, B, degraded, held)
     states = _fed_back(degraded, held)
     kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
@@ -126,7 +126,8 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
 
 
 def _take_apart(A: np.ndarray, B: np.ndarray, degraded: DegradedAircraft, held: Sequence[str]) -> None:
-    """Leave out, in place, what couples motion in the plane of symmetry, which thrust is left to control, with that across it.
+    """Leave out, in place, what couples motion in the plane of symmetry, which thrust is left to control, with that across it,
+    which surfaces control.
 
     At a trim with a degree of bank the coupling is small, and gains that use it are large: ailerons were thrown from stop to stop
     for an error of pitch, 950 1/s2, and a T-37 without an elevator rolled over within five seconds."""
