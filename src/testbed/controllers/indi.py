@@ -38,10 +38,7 @@ from testbed.controllers.commands import command_actuators, write_diagnosis, wri
 from testbed.controllers.config import AdaptiveIndiSettings, IndiSettings
 from testbed.controllers.diagnosis import DiagnosedController
 from testbed.controllers.initial_records import settings_record
-from testbed.controllers.inversion.allocation import (
-    allocate_and_command,
-    allocate_within_stops,
-)
+from testbed.controllers.inversion.allocation import allocate_and_command, allocate_within_stops
 from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.law import (
     compensate,

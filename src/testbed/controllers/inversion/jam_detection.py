@@ -18,9 +18,10 @@ from testbed.controllers.inversion.estimator import (
     forget_model_error,
     reset_covariance,
 )
-from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
 from testbed.controllers.inversion.offset_detection import (
+    JAM_SIGMA,
     deviation,
     follow_offsets,
     position_behind,
@@ -57,7 +58,7 @@ def detect_jam(pressure_ratio, m, c, s):
             take_for_jammed(i, pressure_ratio, m, c, s)
         elif s.jammed[i]:
             s.since_flag[i] += c.dt
-            if turns_out_reversed(i, m, c, s):
+            if turns_out_reversed(i, m, s):
                 take_for_reversed(i, pressure_ratio, m, s)
                 changed = 1
             elif abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
@@ -70,12 +71,14 @@ def detect_jam(pressure_ratio, m, c, s):
 
 @compiled
 def time_to_jam(i, pressure_ratio, m, c, s):
-    """How long an actuator that stands still, `acts_reversed` or `keeps_thrust` must do so until it is taken for jammed [s]; 0
-    where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the second is enough. The last takes a
-    probed engine `ENGINE_S`."""
+    """How long an actuator that stands still, `has_thrust_beside` its throttle, `acts_reversed` or `keeps_thrust` must do so until
+    it is taken for jammed [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the third is
+    enough. The last takes a probed engine `ENGINE_S`."""
     time = time_to_stand_still(i, pressure_ratio, m, c, s)
     if time > 0.0:
         return time
+    if has_thrust_beside(i, pressure_ratio, m, c, s):
+        return SLOW_S
     if acts_reversed(i, m, c, s):
         return REVERSED_S if unstable(m) else c.persistence
     if keeps_thrust(i, pressure_ratio, m, c, s):
@@ -84,10 +87,20 @@ def time_to_jam(i, pressure_ratio, m, c, s):
 
 
 @compiled
+def has_thrust_beside(i, pressure_ratio, m, c, s):
+    """Whether the model error b, less the force of surfaces that have moved, holds thrust of a motor or engine in use: what its
+    throttle does not explain, beyond `JAM_SIGMA` standard deviations."""
+    if m.servo[i] or s.failed[i]:
+        return False
+    thrust, sigma = position_behind(s.beside, i, pressure_ratio, m, c, s)
+    return abs(thrust) > JAM_SIGMA * sigma
+
+
+@compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
     """Whether a motor or engine that was flagged gives thrust at its trim throttle, though less than one that works again: its
     thrust has not followed its command down."""
-    if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
+    if m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False
     # While its command stands still, the filter cannot tell its effectiveness from an offset.
     offset, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
@@ -119,12 +132,12 @@ def unstable(m):
 
 
 @compiled
-def turns_out_reversed(i, m, c, s):
+def turns_out_reversed(i, m, s):
     """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
     stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed."""
-    if not c.weighted or not m.servo[i] or s.since_flag[i] >= REVERSAL_S:
+    if not m.servo[i] or s.since_flag[i] >= REVERSAL_S:
         return False
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]

@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S, SLOW_S
+from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, MEAN_S
 from testbed.controllers.inversion.law import effect_ratio
 
 JAM_SIGMA = 4.0
@@ -75,15 +75,13 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
       square of a larger one, since a hardover leaves no time;
     * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `MEAN_S` if it is about 0.
     """
-    if not c.weighted or s.jammed[i] or s.reversed[i]:
+    if not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
-    offset, sigma = position_behind(s.b if m.servo[i] else s.beside, i, pressure_ratio, m, c, s)
-    beyond = abs(offset) / (sigma * JAM_SIGMA)
-    if not m.servo[i]:
-        return SLOW_S if beyond > 1.0 and not s.failed[i] else 0.0
     doubt = deviation(i, s)
     if s.lambda_hat[i] >= min(HALF_WAY, 1.0 - BEYOND_DOUBT * doubt):
         return 0.0
+    offset, sigma = position_behind(s.b, i, pressure_ratio, m, c, s)
+    beyond = abs(offset) / (sigma * JAM_SIGMA)
     if beyond > 1.0:
         return c.persistence / (beyond * beyond)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > NEAR_SIGMAS * doubt:

@@ -70,7 +70,7 @@ def probe(e, pressure_ratio, m, c, s):
 def has_room(i, m, s):
     """Whether an actuator is where its probe can move it: one that is held at its stop cannot show a gain, unless it is trimmed
     there."""
-    low, high = m.low[i] + largest_amplitude(i, m), m.high[i] - largest_amplitude(i, m)
+    low, high = m.low[i] + LARGEST, m.high[i] - LARGEST
     return not s.jammed[i] or low < s.lambda_hat[i] < high or not low < m.trim_position[i] < high
 
 
@@ -78,12 +78,6 @@ def has_room(i, m, s):
 def probe_rate(i, m):
     """Angular frequency of the sine of actuator i [rad/s]."""
     return (RAD_S + RAD_S_MORE * i) / slower(i, m)
-
-
-@compiled
-def largest_amplitude(i, m):
-    """Largest amplitude of the sine of actuator i [scaled]."""
-    return LARGEST if m.servo[i] else LARGEST_THRUST
 
 
 @compiled
@@ -112,7 +106,9 @@ def follow_probe(i, e, position, pressure_ratio, m, c, s):
     s.works[i] = max(s.works[i] + c.dt * (moved * product - half), 0.0)
     # The mean of the sum's rate is a quarter of the amplitude's square times the information.
     amplitude = math.sqrt(4.0 * CERTAIN / (information * WITHIN_S * slower(i, m)))
-    s.probe[i] = min(amplitude, largest_amplitude(i, m)) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
+    s.probe[i] = min(amplitude, LARGEST if m.servo[i] else LARGEST_THRUST) * math.sin(
+        rate * (s.since_flag[i] - REVERSAL_S)
+    )
 
 
 @compiled
