@@ -141,6 +141,16 @@ def test_a_motor_that_is_stuck_is_never_reversed() -> None:
     assert s.jammed[2] and not s.reversed[2]
 
 
+def test_a_reversed_actuator_flagged_on_its_way_is_judged_from_the_farthest() -> None:
+    """It is flagged before its command is at the stop: the force goes on for a moment, and then comes back."""
+    m, c, _, s, _ = taken_at(-1.05)
+    s.since_flag[1] = 0.05
+    for estimate, changed in ((-1.1, 0), (-1.5, 1), (-0.2, 1)):
+        s.lambda_hat[1] = estimate
+        assert detect_jam(1.0, m, c, s) == changed
+    assert s.reversed[1] and not s.jammed[1]
+
+
 @pytest.mark.parametrize(("position", "estimate"), [(-2.0, -1.5), (-2.0, -2.2), (-0.9, -0.5), (2.0, 1.3)])
 def test_an_actuator_whose_force_stays_is_jammed(position: float, estimate: float) -> None:
     """Or comes from so near that gusts may have moved the estimate."""

@@ -57,7 +57,7 @@ def detect_jam(pressure_ratio, m, c, s):
         if time > 0.0 and s.jam_timer[i] > time + TIMER_ROUNDING:
             take_for_jammed(i, pressure_ratio, m, c, s)
         elif s.jammed[i]:
-            s.since_flag[i] += c.dt
+            follow_way_back(i, m, c, s)
             if turns_out_reversed(i, m, s):
                 take_for_reversed(i, pressure_ratio, m, s)
                 changed = 1
@@ -129,6 +129,16 @@ def acts_reversed(i, m, c, s):
 def unstable(m):
     """Whether the aircraft is statically unstable in pitch: what drives it away is doubled within a fraction of a second."""
     return m.A[Q_DOT, D_ALPHA] > 0.0
+
+
+@compiled
+def follow_way_back(i, m, c, s):
+    """Advance the time since actuator i was taken for jammed, and the position it was jammed at as long as it is still on its way
+    there: when a jam is flagged, the command of a reversed actuator may still move away from the trim position."""
+    s.since_flag[i] += c.dt
+    farther = abs(m.trim_position[i] + s.lambda_hat[i]) > abs(m.trim_position[i] + s.jammed_at[i])
+    if s.since_flag[i] < REVERSAL_S and farther:
+        s.jammed_at[i] = s.lambda_hat[i]
 
 
 @compiled
