@@ -40,7 +40,8 @@ SENTENCES = [
     f"with a force beyond {offset_detection.JAM_SIGMA:g} standard deviations (below)",
     f"in use, and for {evidence.SLOW_S:g} s $b$ holds as much of its thrust",
     f"once it has followed for {evidence.MEAN_S:g} s, with a force beyond {offset_detection.JAM_SIGMA:g} standard deviations",
-    f"below {-evidence.HALF_WAY:g} is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
+    f"if its estimate is certain and below {-evidence.HALF_WAY:g} for `persistence_s`",
+    f"below that limit is {NUMBER[evidence.BEYOND_DOUBT]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives thrust beyond {NUMBER[evidence.BEYOND_DOUBT]} standard deviations for {evidence.MEAN_S:g} s "
     f"at the trim throttle (a probed engine for {jam_detection.ENGINE_S:g} s)",

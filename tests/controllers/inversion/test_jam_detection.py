@@ -20,6 +20,7 @@ from testbed.controllers.inversion.jam_detection import (
     detect_jam,
     take_for_jammed,
 )
+from testbed.controllers.inversion.loss_detection import monitor
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
 SETUP = vtail_setup(WEATHER)
@@ -49,6 +50,26 @@ def test_an_uncertain_negative_estimate_is_none() -> None:
     m, c, _, s, _ = records()
     s.lambda_hat[1], s.P[1, 1] = -0.9, 1.1 * c.flag_std_max**2
     assert not any(detect_jam(1.0, m, c, s) for _ in range(400))
+
+
+def test_one_that_seems_lost_and_answers_its_sine_the_other_way_is_reversed_and_not_jammed() -> None:
+    m, c, _, s, _ = records()
+    s.failed[1], s.lambda_hat[1] = 1, -0.9
+    changed = [detect_jam(1.0, m, c, s) for _ in range(round(c.persistence / c.dt) + 1)]
+    assert changed[-1] == 1 and sum(changed) == 1
+    assert (s.failed[1], s.jammed[1], s.reversed[1], s.lambda_hat[1]) == (1, 0, 1, -1.0)
+
+
+@pytest.mark.parametrize(("other_stop", "flagged"), [(0.4, True), (1.0, False)])
+def test_a_reversed_one_at_its_nearer_stop_seems_less_effective(other_stop: float, flagged: bool) -> None:
+    """A command of -1 takes it to 0.4, or to 1 where it can go as far: then -0.3 is nearer to lost than to reversed."""
+    m, c, _, s, _ = records()
+    m.low[1], m.high[1], s.position[1], s.lambda_hat[1] = -1.0, other_stop, -1.0, -0.3
+    s.P[1, 1] = 0.05**2
+    for _ in range(round(c.persistence / c.dt) + 1):
+        monitor(m, c, s)
+        detect_jam(1.0, m, c, s)
+    assert bool(s.jammed[1]) == flagged and s.failed[1] == 1
 
 
 @pytest.mark.parametrize(("sigmas", "flagged"), [(1.05 * BEYOND_DOUBT, True), (0.95 * BEYOND_DOUBT, False)])

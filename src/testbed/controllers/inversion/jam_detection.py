@@ -24,6 +24,7 @@ from testbed.controllers.inversion.offset_detection import (
     JAM_SIGMA,
     deviation,
     follow_offsets,
+    goes_against,
     position_behind,
     time_to_stand_still,
 )
@@ -55,7 +56,13 @@ def detect_jam(pressure_ratio, m, c, s):
         time = time_to_jam(i, pressure_ratio, m, c, s)
         s.jam_timer[i] = s.jam_timer[i] + c.dt if time > 0.0 else 0.0
         if time > 0.0 and s.jam_timer[i] > time + TIMER_ROUNDING:
-            take_for_jammed(i, pressure_ratio, m, c, s)
+            if (
+                s.failed[i] and m.servo[i] and acts_reversed(i, m, c, s)
+            ):  # a jammed one does not follow the sine
+                take_for_reversed(i, pressure_ratio, m, s)
+                changed = 1
+            else:
+                take_for_jammed(i, pressure_ratio, m, c, s)
         elif s.jammed[i]:
             follow_way_back(i, m, c, s)
             if turns_out_reversed(i, m, s):
@@ -119,10 +126,9 @@ def settle_regression(i, position, pressure_ratio, m, s):
 
 @compiled
 def acts_reversed(i, m, c, s):
-    """Whether the estimate of an actuator that is not yet taken for jammed or reversed is below zero beyond doubt."""
-    sigma = deviation(i, s)
-    sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -BEYOND_DOUBT * sigma)
-    return s.lambda_hat[i] < -HALF_WAY and sure and not (s.jammed[i] or s.reversed[i])
+    """Whether actuator i, not yet taken for jammed or reversed, `goes_against` its command for sure."""
+    sure = deviation(i, s) <= c.flag_std_max or unstable(m)
+    return sure and goes_against(i, m, s) and not (s.jammed[i] or s.reversed[i])
 
 
 @compiled

@@ -10,7 +10,7 @@ from __future__ import annotations
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.evidence import BEYOND_DOUBT, HALF_WAY, SLOW_S
 from testbed.controllers.inversion.law import TIMER_ROUNDING
-from testbed.controllers.inversion.offset_detection import deviation
+from testbed.controllers.inversion.offset_detection import deviation, goes_against
 
 
 @compiled
@@ -43,7 +43,7 @@ def works(i, c, s):
 
 
 @compiled
-def monitor(c, s):
+def monitor(m, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when it
     `works` for the `recovery_time`. Returns 1 if a flag changed.
 
@@ -64,7 +64,8 @@ def monitor(c, s):
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
             low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
-            beyond = low and certain and (s.early[i] or is_to_blame(i, c, s))
+            against = c.tests_jams and goes_against(i, m, s)  # not lost: held or reversed (`jam_detection`)
+            beyond = low and certain and not against and (s.early[i] or is_to_blame(i, c, s))
             time = SLOW_S if s.early[i] else c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt

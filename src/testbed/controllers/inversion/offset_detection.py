@@ -108,6 +108,16 @@ def deviation(i, s):
 
 
 @compiled
+def goes_against(i, m, s):
+    """Whether actuator i goes against its command: its effectiveness is below 0 beyond doubt, and nearer to that of a reversed one
+    than to 0. That is -1, or less where a reversed one would be at its other stop, which may be much nearer."""
+    a = s.position[i]
+    there = min(max(-a, m.low[i]), m.high[i])
+    half = HALF_WAY * there / a if m.servo[i] and a != 0.0 else -HALF_WAY
+    return s.lambda_hat[i] < min(half, -BEYOND_DOUBT * deviation(i, s))
+
+
+@compiled
 def weight_of(row, c, s):
     """What a mean of this rate over `MEAN_S` weighs [x_c^-2]: one over its variance, S / 2T for gusts of two-sided density S, and
     that of the model error."""

@@ -83,7 +83,7 @@ def estimate(y, ref, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
-    if c.monitors and monitor(c, s):  # section 2.3
+    if c.monitors and monitor(m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
