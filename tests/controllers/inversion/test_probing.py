@@ -169,3 +169,17 @@ def test_a_held_surface_is_probed_while_a_vane_is_stuck(vane: str) -> None:
     flight = flown(held, faults=f"{{type: stuck, sensor: {vane}, at_s: 10}}")
     flags = flight.log.set_index("time_s")["left_ruddervator_failed"]
     assert flags[10.0:14.9].min() == 1 and flags[25.0:].max() == 0
+
+
+@pytest.mark.parametrize(("jammed_at", "moved"), [(2.0, 3.0), (-0.8, 0.0)])
+def test_a_held_surface_is_first_commanded_to_where_a_reversed_one_is_at_its_trim(
+    jammed_at: float, moved: float
+) -> None:
+    """One that is nearly there would not show it."""
+    m, c, _, s, _ = given_up(1, True)
+    m.trim_position[1], s.jammed_at[1] = -1.5, jammed_at
+    probe(np.zeros(4), 1.0, m, c, s)
+    assert m.trim_position[1] + s.probe[1] == -1.5 + moved
+    s.since_flag[1] = REVERSAL_S
+    probe(np.zeros(4), 1.0, m, c, s)
+    assert s.probe[1] == 0.0, "the sine begins"

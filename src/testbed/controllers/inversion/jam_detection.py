@@ -40,8 +40,8 @@ ENGINE_S = 8.0
 """How long a probed engine must keep its thrust until it is taken for jammed [s]: in about this time its probe says whether it
 works again. Its estimate climbs slowly then."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
-"""An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
-one would stay. The way must have so many scaled units, or gusts decide."""
+"""An actuator that was taken for jammed is reversed if it moves this share of the way to where its command takes a reversed one: a
+jammed one would stay. The way must have so many scaled units, or gusts decide."""
 REDESIGN_AFTER = 0.1
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again: the step to which
 designs are rounded. Without an elevator a tenth of its unit changes the only level airspeed by a tenth."""
@@ -140,22 +140,28 @@ def unstable(m):
 @compiled
 def follow_way_back(i, m, c, s):
     """Advance the time since actuator i was taken for jammed, and the position it was jammed at as long as it is still on its way
-    there: when a jam is flagged, the command of a reversed actuator may still move away from the trim position."""
+    there: when a jam is flagged, a reversed actuator may still move away from where its command of now takes it."""
     s.since_flag[i] += c.dt
-    farther = abs(m.trim_position[i] + s.lambda_hat[i]) > abs(m.trim_position[i] + s.jammed_at[i])
+    farther = abs(s.lambda_hat[i] - if_reversed(i, m, s)) > abs(s.jammed_at[i] - if_reversed(i, m, s))
     if s.since_flag[i] < REVERSAL_S and farther:
         s.jammed_at[i] = s.lambda_hat[i]
 
 
 @compiled
+def if_reversed(i, m, s):
+    """Where the command of an actuator that is given up takes a reversed one [scaled]."""
+    return -(m.trim_position[i] + s.probe[i])
+
+
+@compiled
 def turns_out_reversed(i, m, s):
-    """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
+    """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes, `if_reversed`.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
     stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed."""
     if not m.servo[i] or s.since_flag[i] >= REVERSAL_S:
         return False
-    way = -m.trim_position[i] - s.jammed_at[i]
+    way = if_reversed(i, m, s) - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
     return abs(way) > REVERSAL_WAY_MIN and gone / way > REVERSAL_SHARE
 
@@ -167,7 +173,7 @@ def take_for_reversed(i, pressure_ratio, m, s):
     s.jammed[i], s.reversed[i] = 0, 1
     s.lambda_hat[i] = -1.0
     reset_covariance(i, HEALTHY_VARIANCE, s)
-    settle_regression(i, m.trim_position[i], pressure_ratio, m, s)
+    settle_regression(i, s.position[i], pressure_ratio, m, s)
 
 
 @compiled

@@ -18,7 +18,11 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
 from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
-from testbed.controllers.inversion.jam_detection import settle_regression, take_for_working
+from testbed.controllers.inversion.jam_detection import (
+    REVERSAL_WAY_MIN,
+    settle_regression,
+    take_for_working,
+)
 from testbed.controllers.inversion.law import effect_ratio
 
 CERTAIN = 7.0
@@ -50,8 +54,8 @@ def probe(e, pressure_ratio, m, c, s):
     for i in range(len(s.probe)):
         position = s.filtered_position[1, i]  # as late as the regression
         if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
-            s.probe[i], s.works[i] = 0.0, 0.0
-            s.probe_mean[i] = position
+            s.probe[i] = to_trim_if_reversed(i, m, s) if s.failed[i] and s.jammed[i] else 0.0
+            s.works[i], s.probe_mean[i] = 0.0, position
             for row in range(4):
                 s.probe_rest[i, row] = unexplained(i, row, e, position, pressure_ratio, m, s)
             continue
@@ -64,6 +68,14 @@ def probe(e, pressure_ratio, m, c, s):
             use_again(i, pressure_ratio, m, s)
             changed = 1
     return changed
+
+
+@compiled
+def to_trim_if_reversed(i, m, s):
+    """What is added to the trim position of a surface that may be reversed, so that a reversed one goes to its trim position. If it
+    is nearly there already, nothing: the trim position itself shows more of it."""
+    far = abs(s.jammed_at[i] - m.trim_position[i]) > REVERSAL_WAY_MIN
+    return -2.0 * m.trim_position[i] if m.servo[i] and far else 0.0
 
 
 @compiled
