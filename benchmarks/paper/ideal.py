@@ -177,7 +177,7 @@ def ideal_loop(
         regressor(pressure_ratio, m, s, w.phi)
         measured_error(w.z, w.phi, s, w.e)
         adapt(w.e, pressure_ratio, m, c, s)
-        monitor(c, s)
+        monitor(m, c, s)
         y.p += c.dt * x_c_dot[P_DOT]
         y.q += c.dt * x_c_dot[Q_DOT]
         y.r += c.dt * x_c_dot[R_DOT]
