@@ -40,8 +40,8 @@ CHANGE_TIME_S, CHANGE_SIGMA, CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is expected (`expect_change`): the time over which innovations are averaged [s], the size of
 the change in its standard deviations, and how many times better than the next one it explains the average."""
 REVERSAL_S = 0.6
-"""How long after an actuator was taken for jammed it may turn out to be reversed [s]. It is
-commanded to where a reversed one is at its trim position, and the estimate shows where its force goes within this time."""
+"""How long after an actuator was taken for jammed it may turn out to be reversed [s]: it is commanded to where
+a reversed one is at its trim position, and the estimate shows where its force goes."""
 REVERSAL_NOISE = 5.0
 """Process noise of a surface's position in that time [scaled/sqrt(s)]: what is reversed goes back with its command within 0.1 s.
 With the noise of a jam the estimate was 0.2 s late."""

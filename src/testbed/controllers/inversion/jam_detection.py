@@ -56,9 +56,8 @@ def detect_jam(pressure_ratio, m, c, s):
         time = time_to_jam(i, pressure_ratio, m, c, s)
         s.jam_timer[i] = s.jam_timer[i] + c.dt if time > 0.0 else 0.0
         if time > 0.0 and s.jam_timer[i] > time + TIMER_ROUNDING:
-            if (
-                s.failed[i] and m.servo[i] and acts_reversed(i, m, c, s)
-            ):  # a jammed one does not follow the sine
+            # One that is given up and answers its sine the other way is not jammed.
+            if s.failed[i] and m.servo[i] and acts_reversed(i, m, c, s):
                 take_for_reversed(i, pressure_ratio, m, s)
                 changed = 1
             else:
@@ -140,7 +139,7 @@ def unstable(m):
 @compiled
 def follow_way_back(i, m, c, s):
     """Advance the time since actuator i was taken for jammed, and the position it was jammed at as long as it is still on its way
-    there: when a jam is flagged, a reversed actuator may still move away from where its command of now takes it."""
+    there: when a jam is flagged, a reversed actuator may still move away from where its new command takes it."""
     s.since_flag[i] += c.dt
     farther = abs(s.lambda_hat[i] - if_reversed(i, m, s)) > abs(s.jammed_at[i] - if_reversed(i, m, s))
     if s.since_flag[i] < REVERSAL_S and farther:

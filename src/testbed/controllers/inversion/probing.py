@@ -1,7 +1,8 @@
 """Probing: an actuator that is given up is moved a little to and fro, to find out whether it works again.
 
 At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
-So its command is trim + a sine. Its force follows its modelled position with a gain: 0 for one that is lost or held, 1 for one that
+So its command is trim + a sine; that of a surface just taken for jammed, which may be reversed, is first -trim
+(`to_trim_if_reversed`). Its force follows its modelled position with a gain: 0 for one that is lost or held, 1 for one that
 works. Whether 1 has taken the place of 0 is found by Page's test (CUSUM; Biometrika 41 (1954) 100): the logarithm of the likelihood
 ratio is summed up, and begins again where it falls below 0. The actuator is used again when the sum is above `CERTAIN`. The noise
 is what gusts and the model's error do to the rates, and the sine is as large as `CERTAIN` needs in it within `WITHIN_S`. An
@@ -18,11 +19,7 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S
 from testbed.controllers.inversion.evidence import HALF_WAY, SLOW_S
-from testbed.controllers.inversion.jam_detection import (
-    REVERSAL_WAY_MIN,
-    settle_regression,
-    take_for_working,
-)
+from testbed.controllers.inversion.jam_detection import REVERSAL_WAY_MIN, settle_regression, take_for_working
 from testbed.controllers.inversion.law import effect_ratio
 
 CERTAIN = 7.0
@@ -138,10 +135,8 @@ def use_again(i, pressure_ratio, m, s):
         offset = effect_ratio(i, pressure_ratio, m) * (s.lambda_hat[i] - s.probe_mean[i])
         for row in range(4):
             s.b[row] += m.B[row, i] * offset
-        s.moved[i], s.offset_timer[i] = (
-            offset if m.servo[i] else 0.0,
-            SLOW_S,
-        )  # its sine has shown that it follows
+        # Its sine has shown that it follows.
+        s.moved[i], s.offset_timer[i] = offset if m.servo[i] else 0.0, SLOW_S
     take_for_working(i, 1.0, 4.0 * HEALTHY_VARIANCE, s)
     settle_regression(i, s.position[i], pressure_ratio, m, s)
     s.probe[i], s.works[i] = 0.0, 0.0
